@@ -1,0 +1,26 @@
+"""A table without rules: every stroke is told, none is judged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from game.match.rules import Turn, Verdict, facts
+from game.match.stroke import Event, stroke
+
+FREE = "free"
+
+
+@dataclass(frozen=True, slots=True)
+class Free:
+    """The same player stays at the table for ever; `balls` are whatever lies on it."""
+
+    balls: tuple[str, ...] = ("white", "yellow", "red1", "red2")
+    cues: tuple[str, ...] = ("white",)
+
+    @property
+    def key(self) -> str:
+        return FREE
+
+    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+        return Verdict(FREE, passes=False, facts=facts(stroke(log, turn.cue)))

@@ -1,0 +1,64 @@
+"""The opening positions and the shelf: on the table, apart, and complete."""
+
+from itertools import combinations
+from math import dist
+
+import pytest
+
+from game.match.carom import Carom
+from game.match.positions import SAGU, SHELF, THREE_CUSHION, Position, opening, spotted
+from game.match.sagu import Sagu
+
+TABLES = [(2.448, 1.27, 0.03275), (2.54, 1.27, 0.03275), (2.84, 1.42, 0.03075)]
+OPENINGS = [opening(game, cue) for game in (SAGU, THREE_CUSHION) for cue in ("white", "yellow")]
+L, W = 2.84, 1.42
+
+
+@pytest.mark.parametrize(("length", "width", "radius"), TABLES)
+@pytest.mark.parametrize("position", [*SHELF, *OPENINGS], ids=lambda p: f"{p.game}-{p.key}")
+def test_balls_lie_on_the_table_and_apart(
+    position: Position, length: float, width: float, radius: float
+) -> None:
+    lie = position.on(length, width)
+    for x, y in lie.values():
+        assert abs(x) < length / 2 - radius
+        assert abs(y) < width / 2 - radius
+    for a, b in combinations(lie.values(), 2):
+        assert dist(a, b) > 2 * radius
+
+
+@pytest.mark.parametrize("position", [*SHELF, *OPENINGS], ids=lambda p: f"{p.game}-{p.key}")
+def test_a_position_has_the_balls_of_its_game(position: Position) -> None:
+    balls = Sagu().balls if position.game == SAGU else Carom().balls
+    assert sorted(position.balls) == sorted(balls)
+
+
+def test_positions_of_one_game_have_different_keys() -> None:
+    names = [(p.game, p.key) for p in SHELF]
+    assert len(set(names)) == len(names)
+    assert {game for game, _ in names} == {SAGU, THREE_CUSHION}
+
+
+def test_three_cushion_opens_with_the_balls_on_the_spots_of_the_federation() -> None:
+    lie = opening(THREE_CUSHION).on(L, W)
+    assert lie["red"] == (L / 4, 0)
+    assert lie["yellow"] == (-L / 4, 0)
+    assert lie["white"] == pytest.approx((-L / 4, -0.1825))
+
+
+def test_the_opening_of_four_ball_looks_the_same_from_both_ends() -> None:
+    lie = opening(SAGU, "yellow").on(L, W)
+    turned = {name: (-x, -y) for name, (x, y) in opening(SAGU, "white").on(L, W).items()}
+    assert turned["white"] == pytest.approx(lie["white"])
+    assert turned["red1"] == pytest.approx(lie["red2"])
+
+
+def test_balls_off_the_table_come_back_on_their_spots() -> None:
+    lie = {"white": (0.5, 0.5), "yellow": (9.0, 9.0), "red": (9.0, 9.0)}
+    back = spotted(lie, ("red", "yellow"), "yellow", L, W, 0.0615)
+    assert back == {"white": (0.5, 0.5), "red": (L / 4, 0), "yellow": (-L / 4, 0)}
+
+
+def test_a_ball_whose_spot_is_covered_goes_to_the_next_free_one() -> None:
+    lie = {"white": (L / 4, 0.03), "yellow": (1.0, 0.5), "red": (9.0, 9.0)}
+    assert spotted(lie, ("red",), "yellow", L, W, 0.0615)["red"] == (-L / 4, 0)
