@@ -1,0 +1,1 @@
+"""Carom billiards to play: the picture, the rules and the loop around the physics."""

@@ -1,0 +1,75 @@
+"""The bed and the cushions: cloth under two lamps, with its nap and the shadow of the noses."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import noise
+from .layout import CUSHION, Layout
+from .noise import Floats
+from .theme import Colour
+
+
+def lamp(x: Floats, y: Floats, layout: Layout) -> Floats:
+    """Return the light (len(x), len(y)) at table points in metres, at most 1.
+
+    Two lamps hang above the long axis at +-0.27 of the length.
+    """
+    across = 1 + (y / (0.62 * layout.width)) ** 2
+    total = np.zeros((len(x), len(y)), np.float32)
+    for side in (-0.27, 0.27):
+        along = ((x - side * layout.length) / (0.42 * layout.length)) ** 2
+        reach = np.add.outer(along, across)
+        total += 1 / (reach * np.sqrt(np.sqrt(reach)))
+    return np.asarray(total / total.max(), np.float32)
+
+
+def axes(layout: Layout, left: int, top: int, width: int, height: int) -> tuple[Floats, Floats]:
+    """Return the table coordinates (m) of the columns and the rows of a rectangle of pixels."""
+    x0, y0 = layout.to_table(left + 0.5, top + 0.5)
+    x = x0 + np.arange(width, dtype=np.float32) / np.float32(layout.scale)
+    y = y0 - np.arange(height, dtype=np.float32) / np.float32(layout.scale)
+    return x.astype(np.float32), y.astype(np.float32)
+
+
+def _shade(distance: Floats) -> Floats:
+    """Return the light left at a distance (m) from one nose: its shadow is sharp, then wide."""
+    d = distance.clip(0, None)
+    return np.asarray(1 - 0.42 * np.exp(-d / 0.010) - 0.16 * np.exp(-d / 0.045), np.float32)
+
+
+def bed(layout: Layout, colour: Colour) -> Floats:
+    """Return the bed (width, height, 3), 0 to 255, of the rectangle `layout.bed`."""
+    box = layout.bed
+    x, y = axes(layout, *box)
+    light = 0.60 + 0.49 * lamp(x, y, layout)
+    light *= (_shade(layout.length / 2 - np.abs(x)))[:, None]
+    light *= _shade(layout.width / 2 - y) * (0.45 + 0.55 * _shade(y + layout.width / 2))
+    light *= 1 + texture(layout, box.w, box.h)
+    return light[..., None] * np.array(colour, np.float32)
+
+
+def texture(layout: Layout, width: int, height: int) -> Floats:
+    """Return the relative light and dark of the nap, some percent; sized by the window's scale."""
+    s = layout.s
+    fine = noise.nap(256, (1.6 * s, 0.55 * s), 3) + 0.6 * noise.nap(256, (0.45 * s, 0.45 * s), 5)
+    total = noise.tiled(np.float32(0.0135) * fine, width, height)
+    wide = noise.smooth(width, height, (64 * s, 26 * s), 7)
+    wide += 0.6 * noise.smooth(width, height, (19 * s, 11 * s), 9)
+    return np.asarray(total + np.float32(0.006) * wide, np.float32)
+
+
+def cushion(layout: Layout, count: int, depth: int, side: float, seed: int) -> Floats:
+    """Return the light (count, depth) of a cushion, from its nose to the wood.
+
+    `side` is how much light falls on this one.
+    """
+    u = (np.arange(depth, dtype=np.float32) + 0.5) / np.float32(CUSHION * layout.scale)
+    bump = 0.30 * np.exp(-(((u - 0.16) / 0.11) ** 2))
+    fall = 1.02 - 0.24 * u.clip(0, 1) ** 1.2
+    nose = 0.34 * np.exp(-((u / 0.055) ** 2))
+    crease = 0.30 * np.exp(-(((u - 1.0) / 0.07) ** 2))
+    profile = (fall + bump - nose - crease).astype(np.float32) * side
+    s = layout.s
+    grain = noise.smooth(count, depth, (7 * s, 1.4 * s), seed) * 0.012
+    return np.asarray(profile[None] * (1 + grain), np.float32)

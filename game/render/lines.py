@@ -1,0 +1,251 @@
+"""Lines on the cloth: paths, dashes, arrows, rings, dots and ticks with smooth edges.
+
+All points are screen points and all widths px of the window, so callers multiply by `Layout.s`.
+Surfaces must be opaque (a window or a copy of the background); the surface's clip is respected.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import atan2, cos, hypot, pi, sin
+
+import numpy as np
+import pygame
+
+from . import raster
+from .raster import Floats, Points
+from .theme import HALO, Colour
+
+TAIL = 0.30
+"""Alpha at the end of a predicted path, as a share of that at its beginning, is TAIL / 0.92."""
+HALO_ALPHA = 0.38
+
+
+def decimated(points: Points, tolerance: float = 0.25) -> list[tuple[float, float]]:
+    """Return the points of a path that matter: dropping the others moves it less than `tolerance`.
+
+    Ramer, Douglas and Peucker's rule, iterative.  In px 0.25 cannot be seen.
+    """
+    path = np.asarray(points, np.float64).reshape(-1, 2)
+    keep = {0, len(path) - 1}
+    stack = [(0, len(path) - 1)]
+    while stack:
+        first, last = stack.pop()
+        if last - first < 2:
+            continue
+        away = _distances(path[first + 1 : last], path[first], path[last])
+        worst = int(away.argmax())
+        if away[worst] > tolerance:
+            middle = first + 1 + worst
+            keep.add(middle)
+            stack += [(first, middle), (middle, last)]
+    return [(float(path[i, 0]), float(path[i, 1])) for i in sorted(keep)]
+
+
+def _distances(
+    points: raster.NDArray[np.float64],
+    first: raster.NDArray[np.float64],
+    last: raster.NDArray[np.float64],
+) -> raster.NDArray[np.float64]:
+    """Return the distance of each point from the segment first-last."""
+    step = last - first
+    share = ((points - first) @ step / max(float(step @ step), 1e-12)).clip(0, 1)
+    gap = points - first - share[:, None] * step
+    return np.hypot(gap[:, 0], gap[:, 1])
+
+
+def length(points: Points) -> float:
+    """Return the length of a path, px."""
+    return sum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in zip(points, points[1:], strict=False))
+
+
+def polyline(
+    surface: pygame.Surface,
+    points: Points,
+    colour: Colour,
+    width: float,
+    alpha: float = 1.0,
+    fade: tuple[float, float] | None = None,
+    dashes: Sequence[float] = (),
+    soft: float = 0.5,
+) -> pygame.Rect:
+    """Draw a path `width` px wide with round joins and ends.
+
+    `fade` multiplies alpha: from its first value at the beginning to its second at the end.
+    `dashes` are px on, off, ...; `soft` is half the width of the edge in px (more for shadows).
+    """
+    if len(points) < 2:
+        return pygame.Rect(0, 0, 0, 0)
+    near = raster.touched(points, width / 2 + soft, surface.get_clip())
+    cover = ((width / 2 + soft - near.away) / (2 * soft)).clip(0, min(1.0, width)) * alpha
+    if fade:
+        cover *= fade[0] + (fade[1] - fade[0]) * near.along / max(length(points), 1e-6)
+    if dashes:
+        cover *= _dashed(near.along, dashes)
+    return raster.blend(surface, near.x, near.y, cover.astype(np.float32), colour)
+
+
+def _dashed(along: Floats, dashes: Sequence[float]) -> Floats:
+    """Return 1 on a dash and 0 between, with edges one px wide."""
+    phase = along % sum(dashes)
+    cover, start = np.zeros_like(along), 0.0
+    for on, off in zip(dashes[::2], dashes[1::2], strict=True):
+        cover += ((phase - start + 0.5).clip(0, 1) * (start + on - phase + 0.5).clip(0, 1))
+        start += on + off
+    return cover
+
+
+def trace(
+    surface: pygame.Surface,
+    points: Points,
+    colour: Colour,
+    s: float,
+    alpha: float = 0.88,
+    dashes: Sequence[float] = (),
+) -> pygame.Rect:
+    """Draw the path a ball has run, on the dark halo without which ball colours drown in cloth.
+
+    `dashes` are px at s = 1.
+    """
+    halo = polyline(surface, points, HALO, 3.6 * s, HALO_ALPHA, soft=0.8 * s)
+    scaled = [d * s for d in dashes]
+    return halo.union(polyline(surface, points, colour, 1.8 * s, alpha, dashes=scaled))
+
+
+def _box(
+    surface: pygame.Surface, x: float, y: float, reach: float
+) -> tuple[raster.NDArray[np.intp], raster.NDArray[np.intp], Floats, Floats]:
+    """Return the pixels of a square around (x, y) and their offsets from it."""
+    edge = int(reach + 2)
+    square = pygame.Rect(int(x) - edge, int(y) - edge, 2 * edge + 1, 2 * edge + 1)
+    square = square.clip(surface.get_clip())
+    px, py = (
+        axis.ravel()
+        for axis in np.meshgrid(
+            np.arange(square.x, square.right), np.arange(square.y, square.bottom), indexing="ij"
+        )
+    )
+    dx, dy = (px + (0.5 - x)).astype(np.float32), (py + (0.5 - y)).astype(np.float32)
+    return px, py, dx, dy
+
+
+def _painted(
+    surface: pygame.Surface,
+    x: raster.NDArray[np.intp],
+    y: raster.NDArray[np.intp],
+    cover: Floats,
+    colour: Colour,
+) -> pygame.Rect:
+    some = cover > 0
+    return raster.blend(surface, x[some], y[some], cover[some], colour)
+
+
+def ring(
+    surface: pygame.Surface,
+    centre: tuple[float, float],
+    radius: float,
+    colour: Colour,
+    width: float = 1.4,
+    alpha: float = 0.95,
+    fill: float = 0.0,
+) -> pygame.Rect:
+    """Draw a circle whose line is centred on `radius`; `fill` is the alpha inside it."""
+    x, y, dx, dy = _box(surface, *centre, radius + width)
+    away = np.hypot(dx, dy)
+    line = (width / 2 + 0.5 - np.abs(away - radius)).clip(0, 1) * alpha
+    inside = (radius + 0.5 - away).clip(0, 1) * fill
+    return _painted(surface, x, y, np.maximum(line, inside), colour)
+
+
+def dot(
+    surface: pygame.Surface,
+    centre: tuple[float, float],
+    radius: float,
+    colour: Colour,
+    alpha: float = 1.0,
+) -> pygame.Rect:
+    """Draw a disc."""
+    x, y, dx, dy = _box(surface, *centre, radius)
+    return _painted(surface, x, y, (radius + 0.5 - np.hypot(dx, dy)).clip(0, 1) * alpha, colour)
+
+
+def ghost(surface: pygame.Surface, centre: tuple[float, float], radius: float, s: float) -> pygame.Rect:
+    """Draw the cue ball where it will be at the first contact."""
+    return ring(surface, centre, radius, (255, 255, 255), 1.4 * s, 0.95, 0.16)
+
+
+def polygon(surface: pygame.Surface, points: Points, colour: Colour, alpha: float = 1.0) -> pygame.Rect:
+    """Draw a convex polygon with smooth edges."""
+    corners = np.asarray(points, np.float64)
+    x, y = corners[:, 0], corners[:, 1]
+    ahead = np.roll(corners, -1, axis=0) - corners
+    turn = 1 if float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) > 0 else -1
+    middle = (float(x.min() + x.max()) / 2, float(y.min() + y.max()) / 2)
+    reach = max(float(np.ptp(x)), float(np.ptp(y))) / 2
+    px, py, dx, dy = _box(surface, *middle, reach)
+    cover = np.full(dx.shape, np.float32(alpha))
+    for corner, step in zip(corners, ahead, strict=True):
+        across = (dx + middle[0] - corner[0]) * step[1] - (dy + middle[1] - corner[1]) * step[0]
+        cover = np.minimum(cover, alpha * (0.5 - turn * across / max(hypot(*step), 1e-9)).clip(0, 1))
+    return _painted(surface, px, py, cover.astype(np.float32), colour)
+
+
+def arrow(
+    surface: pygame.Surface,
+    start: tuple[float, float],
+    end: tuple[float, float],
+    colour: Colour,
+    width: float,
+    head: float,
+    alpha: float = 1.0,
+) -> pygame.Rect:
+    """Draw an arrow whose point lies at `end`; `head` is the length of its head."""
+    angle = atan2(end[1] - start[1], end[0] - start[0])
+    c, s = cos(angle), sin(angle)
+    base = (end[0] - head * c, end[1] - head * s)
+    half = 0.42 * head
+    wings = [(base[0] + k * half * s, base[1] - k * half * c) for k in (1, -1)]
+    rect = polyline(surface, [start, base], colour, width, alpha)
+    return rect.union(polygon(surface, [end, *wings], colour, alpha))
+
+
+def departure(
+    surface: pygame.Surface, centre: tuple[float, float], angle: float, radius: float, colour: Colour, s: float
+) -> pygame.Rect:
+    """Draw the arrow that says where a ball at `centre` leaves to; `angle` is on screen, radians."""
+    reach = 3.4 * radius
+    ahead = (cos(angle), sin(angle))
+    start = (centre[0] + ahead[0] * radius * 1.1, centre[1] + ahead[1] * radius * 1.1)
+    end = (centre[0] + ahead[0] * reach, centre[1] + ahead[1] * reach)
+    return arrow(surface, start, end, colour, 2.2 * s, 0.68 * radius)
+
+
+def bounce(
+    surface: pygame.Surface,
+    centre: tuple[float, float],
+    outward: tuple[float, float],
+    radius: float,
+    colour: Colour,
+    s: float,
+    alpha: float = 1.0,
+) -> pygame.Rect:
+    """Mark a cushion contact: a dot on the ball's centre and a tick on the nose.
+
+    `outward` is the unit vector on screen from the bed into the cushion.
+    """
+    rect = dot(surface, centre, 2.6 * s, colour, alpha)
+    nose = (centre[0] + outward[0] * radius, centre[1] + outward[1] * radius)
+    half = 0.55 * radius
+    ends = [(nose[0] + k * half * outward[1], nose[1] - k * half * outward[0]) for k in (1, -1)]
+    return rect.union(polyline(surface, ends, colour, 2 * s, alpha))
+
+
+def collision(surface: pygame.Surface, point: tuple[float, float], s: float, alpha: float = 1.0) -> pygame.Rect:
+    """Mark where two balls touched."""
+    rect = dot(surface, point, 3.6 * s, HALO, 0.85 * alpha)
+    return rect.union(dot(surface, point, 2.7 * s, (255, 255, 255), alpha))
+
+
+def turned(angle: float) -> float:
+    """Return the screen angle of a table angle (radians, y up): the screen's y points down."""
+    return -angle % (2 * pi)
