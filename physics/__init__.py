@@ -1,0 +1,18 @@
+"""Billiards, exact: balls, walls and laws on a cloth; `docs/tour.py` shows it in a page."""
+
+from typing import TYPE_CHECKING, Any
+
+from . import laws, scenes, tables
+from .ball import Ball
+from .cloth import Cloth
+from .engine import EventBudgetError, EventDriven
+from .log import Event, Leg, Log, State
+from .shot import Shot
+from .trace import trace
+from .wall import Wall
+from .world import World, simulate
+
+__all__ = [
+    "Ball", "Cloth", "Event", "EventBudgetError", "EventDriven", "Leg", "Log", "Shot", "State", "Wall",
+    "World", "laws", "scenes", "simulate", "tables", "trace",
+]  # fmt: skip

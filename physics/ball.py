@@ -1,0 +1,150 @@
+"""A ball: a name and the kernel's record of it, shown through properties."""
+
+from collections.abc import Sequence
+from operator import attrgetter
+
+from .checks import positive, vector
+from .kernel.body import Body, Felt
+from .kernel.motion import RESTING, ROLLING, SLIDING, carry, faded, motion, place
+
+DISTURBED = -1  # the phase of a ball that somebody has touched and no engine has looked at yet
+NOWHERE = Felt(0.0, 0.0, 0.0)  # the cloth under a ball that is in no world yet
+NAMES = {RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding"}
+
+_values = attrgetter(*Body.__slots__)
+
+
+class Clock:
+    """The moment that the balls of a world share: `now` seconds after `epoch`, and on what cloth."""
+
+    __slots__ = ("cloth", "disturbed", "epoch", "moved", "now")
+
+    def __init__(self, cloth: Felt) -> None:
+        self.epoch = 0.0
+        self.now = 0.0
+        self.cloth = cloth
+        self.disturbed = True  # has somebody put or pushed a ball?
+        self.moved = True  # has somebody put one where it might not fit?
+
+    def copy(self) -> "Clock":
+        clock = Clock(self.cloth)
+        clock.epoch, clock.now = self.epoch, self.now
+        clock.disturbed, clock.moved = self.disturbed, self.moved
+        return clock
+
+
+class Ball:
+    """A ball on the table.
+
+    at and velocity are (x, y) in m and m/s, spin (wx, wy, wz) in rad/s, radius in m, mass in kg.
+    position, velocity and spin can be read and assigned at any moment; the world takes it from there.
+    ValueError, naming the ball and the value, for anything not finite or not positive.
+    """
+
+    __slots__ = ("_body", "_clock", "name")
+
+    def __init__(
+        self,
+        name: str,
+        at: Sequence[float],
+        velocity: Sequence[float] = (0.0, 0.0),
+        spin: Sequence[float] = (0.0, 0.0, 0.0),
+        radius: float = 0.03275,
+        mass: float = 0.25,
+    ) -> None:
+        self.name = name
+        self._clock = Clock(NOWHERE)
+        self._body = Body(
+            positive(f"ball {name!r}: radius", radius), positive(f"ball {name!r}: mass", mass)
+        )
+        self.position = at  # type: ignore[assignment]
+        self.velocity = velocity  # type: ignore[assignment]
+        self.spin = spin  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"Ball({self.name!r}, at={self.position}, {self.phase})"
+
+    @property
+    def radius(self) -> float:
+        """Metres."""
+        return self._body.radius
+
+    @property
+    def mass(self) -> float:
+        """Kilograms."""
+        return self._body.mass
+
+    @property
+    def position(self) -> tuple[float, float]:
+        """(x, y) of the centre, metres."""
+        p = place(self._body, self._clock.now - self._body.since)
+        return p.real, p.imag
+
+    @position.setter
+    def position(self, value: Sequence[float]) -> None:
+        x, y = vector(f"ball {self.name!r}: position", value, 2)
+        self.disturb().position = complex(x, y)
+        self._clock.moved = True
+
+    @property
+    def velocity(self) -> tuple[float, float]:
+        """(vx, vy), m/s."""
+        v = self._body.velocity + (self._clock.now - self._body.since) * self._body.acceleration
+        return v.real, v.imag
+
+    @velocity.setter
+    def velocity(self, value: Sequence[float]) -> None:
+        vx, vy = vector(f"ball {self.name!r}: velocity", value, 2)
+        self.disturb().velocity = complex(vx, vy)
+
+    @property
+    def spin(self) -> tuple[float, float, float]:
+        """(wx, wy, wz), rad/s."""
+        body, t = self._body, self._clock.now - self._body.since
+        gain = t * body.acceleration
+        roll = body.roll + (gain if body.phase == ROLLING else -2.5 * gain)
+        side = faded(body.side, t * body.radius * self._clock.cloth.fade)
+        return -roll.imag / body.radius, roll.real / body.radius, side / body.radius
+
+    @spin.setter
+    def spin(self, value: Sequence[float]) -> None:
+        wx, wy, wz = vector(f"ball {self.name!r}: spin", value, 3)
+        body = self.disturb()
+        body.roll, body.side = complex(wy, -wx) * body.radius, wz * body.radius
+
+    @property
+    def phase(self) -> str:
+        """ "sliding", "rolling" or "resting"; a ball that only spins on the spot rests."""
+        body = self._body
+        if body.phase == DISTURBED:
+            return NAMES[motion(body.velocity, body.roll, self._clock.cloth)[0]]
+        return NAMES[body.phase]
+
+    def disturb(self) -> Body:
+        """The record at this very moment, to be changed: the engine will plan it anew."""
+        body = self._body
+        if body.phase != DISTURBED:
+            carry(body, self._clock.now, self._clock.cloth)
+            body.acceleration = 0j
+            body.phase = DISTURBED
+        self._clock.disturbed = True
+        return body
+
+    @property
+    def body(self) -> Body:
+        """The kernel's record."""
+        return self._body
+
+    def join(self, clock: Clock) -> Body:
+        """Keep time with a world from now on; ValueError if it is in another one already."""
+        if self._clock.cloth is not NOWHERE:
+            raise ValueError(f"ball {self.name!r} is in a world already")
+        self._clock = clock
+        self._body.since = clock.now
+        return self._body
+
+    def twin(self, clock: Clock) -> "Ball":
+        """The same ball, on the same leg, in another world."""
+        ball = Ball.__new__(Ball)
+        ball.name, ball._clock, ball._body = self.name, clock, Body(*_values(self._body))
+        return ball

@@ -1,0 +1,1 @@
+"""Many shots of one scene: arrays in, arrays out."""

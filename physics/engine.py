@@ -1,0 +1,94 @@
+"""The exact engine: from event to event, and between them only polynomials."""
+
+from dataclasses import dataclass
+from math import inf
+from typing import TYPE_CHECKING, Protocol
+
+from .checks import nonnegative, positive
+from .kernel.calendar import CLUSTER, PAIR, happen, plan_leg, plan_meetings, soonest
+from .log import State
+
+if TYPE_CHECKING:
+    from .world import World
+
+
+class Engine(Protocol):
+    """What moves a world on."""
+
+    @property
+    def vmin(self) -> float:
+        """m/s: the least speed at which what touched parts."""
+
+    def plan(self, world: "World", disturbed: list[int]) -> None:
+        """Take in that somebody has put or pushed these balls just now."""
+
+    def advance(self, world: "World", until: float) -> float:
+        """All that happens up to world time `until`; returns the time reached, from the epoch on."""
+
+
+class EventBudgetError(RuntimeError):
+    """More events than there may be; `.scene` is {ball: State} when it was last planned."""
+
+    def __init__(self, budget: int, time: float, scene: dict[str, State]) -> None:
+        super().__init__(f"more than {budget} events by t = {time!r} s; the scene is in .scene")
+        self.scene = scene
+
+
+@dataclass(frozen=True, slots=True)
+class EventDriven:
+    """Exact in time and place; touching things part with at least `vmin`, m/s.
+
+    `budget`: how many events there may be after a ball was last put or pushed; one more raises
+    EventBudgetError.
+    """
+
+    vmin: float = 1e-3
+    budget: int = 100_000
+
+    def __post_init__(self) -> None:
+        nonnegative("EventDriven.vmin", self.vmin)
+        positive("EventDriven.budget", self.budget)
+
+    def plan(self, world: "World", disturbed: list[int]) -> None:
+        scene, balls = world.scene, world.scene.balls
+        for i in disturbed:
+            plan_leg(balls[i], scene.walls, scene.cloth)
+            world.log.begin(i, world.epoch, balls[i], scene.cloth.fade)
+        for i in disturbed:
+            plan_meetings(i, balls, scene.meetings)
+        world.due = balls[soonest(balls)].next if balls else inf
+        world.allowed = len(world.log) + self.budget
+
+    def advance(self, world: "World", until: float) -> float:
+        scene, log, epoch = world.scene, world.log, world.epoch
+        balls, fade = scene.balls, scene.cloth.fade
+        time = world.now
+        while balls:
+            i = soonest(balls)
+            due = balls[i].next
+            if epoch + due > until or due == inf:
+                world.due = due
+                break
+            time = due
+            kind, other = happen(i, scene)
+            if kind == CLUSTER:
+                _note_cluster(world, time, other)
+            else:
+                log.begin(i, epoch, balls[i], fade)
+                if kind == PAIR:
+                    log.begin(other, epoch, balls[other], fade)
+                log.note(epoch, time, kind, i, other)
+            if len(log) > world.allowed:
+                raise EventBudgetError(self.budget, epoch + time, log.at(world.planned))
+        return time
+
+
+def _note_cluster(world: "World", time: float, contacts: int) -> None:
+    ties = world.scene.ties
+    pairs = [
+        (ties.first[c], ties.second[c], ties.total[c]) for c in range(contacts) if ties.total[c] > 0.0
+    ]
+    members = sorted({ball for c in range(contacts) for ball in (ties.first[c], ties.second[c])})
+    for i in members:
+        world.log.begin(i, world.epoch, world.scene.balls[i], world.scene.cloth.fade)
+    world.log.note_cluster(world.epoch, time, pairs, members)

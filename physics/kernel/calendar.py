@@ -1,0 +1,230 @@
+"""From event to event."""
+
+from .cluster import collide, crowded, gather
+from .contact import contact_time, first_fall
+from .laws import hit_ball, hit_wall
+from .motion import RESTING, carry, motion, place, settle, swept
+from .subset import complex, inf, kernel
+
+NOBODY = -1
+PHASE_ENDS = -1
+PHASE, CUSHION, PAIR, CLUSTER = 0, 1, 2, 3  # what an event is
+
+
+@kernel
+def plan_leg(ball, walls, cloth):
+    """How the ball moves from now on, until when, and where it may come."""
+    phase, a, lasts = motion(ball.velocity, ball.roll, cloth)
+    if phase == RESTING:
+        ball.velocity = 0j
+        ball.roll = 0j
+    ball.phase = phase
+    ball.acceleration = a
+    ball.goal = PHASE_ENDS
+    p, v = ball.position, ball.velocity
+    if phase != RESTING:
+        for k in range(len(walls)):
+            wall = walls[k]
+            inward = wall.inward
+            speed, bend = (inward * v).real, (inward * a).real
+            if speed < 0.0 or bend < 0.0:
+                wait = first_fall((inward * p).real - wall.offset - ball.radius, speed, bend)
+                if wait < lasts:
+                    lasts, ball.goal = wait, k
+    ball.leg_end = ball.since + lasts
+    reach(ball, p, v, a, lasts)
+
+
+@kernel
+def reach(ball, p, v, a, lasts):
+    """The box that the ball sweeps on its leg: the whole plane if the leg never ends."""
+    r = ball.radius
+    if ball.phase == RESTING:
+        ball.west, ball.east, ball.south, ball.north = p.real - r, p.real + r, p.imag - r, p.imag + r
+    elif lasts == inf:
+        ball.west, ball.east, ball.south, ball.north = -inf, inf, -inf, inf
+    else:
+        low, high = swept(p.real, v.real, a.real, lasts)
+        ball.west, ball.east = low - r, high + r
+        low, high = swept(p.imag, v.imag, a.imag, lasts)
+        ball.south, ball.north = low - r, high + r
+
+
+@kernel
+def meeting(a, b):
+    """When two balls will touch if both stay on their legs, or inf.
+
+    It is reckoned from the start of the later leg, whenever it is asked and by whom.
+    """
+    if a.phase == RESTING and b.phase == RESTING:
+        return inf
+    if a.since < b.since:
+        a, b = b, a
+    time = a.since
+    t = time - b.since
+    if t == 0.0:
+        q, v = b.position - a.position, b.velocity - a.velocity
+    else:
+        q, v = place(b, t) - a.position, b.velocity + t * b.acceleration - a.velocity
+    lasts = (a.leg_end if a.leg_end < b.leg_end else b.leg_end) - time
+    return time + contact_time(q, v, b.acceleration - a.acceleration, a.radius + b.radius, lasts)
+
+
+@kernel
+def plan_meetings(i, balls, meetings):
+    """Enter in the calendar whom ball i will meet, and first of all when."""
+    n = len(balls)
+    ball = balls[i]
+    west, east, south, north = ball.west, ball.east, ball.south, ball.north
+    ball.meets, ball.partner = inf, NOBODY
+    for j in range(n):
+        if j == i:
+            continue
+        other = balls[j]
+        when = inf
+        if other.west <= east and other.east >= west and other.south <= north and other.north >= south:
+            when = meeting(ball, other)
+        meetings[n * i + j] = meetings[n * j + i] = when
+        if when < other.meets or other.partner == i:
+            appoint(j, i, when, balls, meetings)
+        if when < ball.meets:
+            ball.meets, ball.partner = when, j
+    ball.next = ball.meets if ball.meets < ball.leg_end else ball.leg_end
+
+
+@kernel
+def appoint(j, i, when, balls, meetings):
+    """Ball j learns when it will meet ball i; and whom it meets first, now that this has changed."""
+    ball = balls[j]
+    if when < ball.meets:
+        ball.meets, ball.partner = when, i
+    else:
+        n = len(balls)
+        ball.meets, ball.partner = inf, NOBODY
+        for k in range(n):
+            if meetings[n * j + k] < ball.meets:
+                ball.meets, ball.partner = meetings[n * j + k], k
+    ball.next = ball.meets if ball.meets < ball.leg_end else ball.leg_end
+
+
+@kernel
+def plan(scene):
+    """Start afresh from balls that somebody has put there."""
+    balls, meetings = scene.balls, scene.meetings
+    n = len(balls)
+    for k in range(n * n):
+        meetings[k] = inf
+    for i in range(n):
+        ball = balls[i]
+        plan_leg(ball, scene.walls, scene.cloth)
+        ball.meets, ball.partner, ball.next = inf, NOBODY, ball.leg_end
+    for i in range(n):
+        if balls[i].phase != RESTING:
+            plan_meetings(i, balls, meetings)
+
+
+@kernel
+def soonest(balls):
+    """The ball that the next event belongs to."""
+    first, time = 0, inf
+    for i in range(len(balls)):
+        if balls[i].next < time:
+            first, time = i, balls[i].next
+    return first
+
+
+@kernel
+def happen(i, scene):
+    """The next event of ball i; all that it touched is planned anew.
+
+    Returns what it was and with whom: the wall, the other ball, or how many contacts.
+    """
+    balls, cloth = scene.balls, scene.cloth
+    ball = balls[i]
+    time = ball.next
+    carry(ball, time, cloth)
+    if ball.meets <= ball.leg_end:
+        return meet(i, ball.partner, time, scene)
+    kind, goal = PHASE, ball.goal
+    if goal == PHASE_ENDS:
+        settle(ball)
+    else:
+        kind = CUSHION
+        hit_wall(ball, scene.walls[goal], scene.cushion_rule, scene.cushion_table)
+    plan_leg(ball, scene.walls, cloth)
+    plan_meetings(i, balls, scene.meetings)
+    return kind, goal
+
+
+@kernel
+def meet(i, j, time, scene):
+    """Two balls touch, and perhaps others with them."""
+    balls, walls, cloth = scene.balls, scene.walls, scene.cloth
+    carry(balls[j], time, cloth)
+    if len(balls) > 2 and crowded(i, j, time, balls):
+        return crowd(i, j, time, scene)
+    hit_ball(balls[i], balls[j], scene.ball_rule)
+    plan_leg(balls[i], walls, cloth)
+    plan_leg(balls[j], walls, cloth)
+    plan_meetings(i, balls, scene.meetings)
+    plan_meetings(j, balls, scene.meetings)
+    return PAIR, j
+
+
+@kernel
+def crowd(i, j, time, scene):
+    """Many balls touch."""
+    balls, ties = scene.balls, scene.ties
+    members, contacts = gather(i, j, time, balls, scene.cloth, ties)
+    collide(contacts, balls, scene.ball_rule, ties)
+    for m in range(members):
+        plan_leg(balls[ties.member[m]], scene.walls, scene.cloth)
+    for m in range(members):
+        plan_meetings(ties.member[m], balls, scene.meetings)
+    return CLUSTER, contacts
+
+
+@kernel
+def blows(kind, contacts, ties):
+    """How many events that was: in a cluster, every contact that passed an impulse is one."""
+    if kind != CLUSTER:
+        return 1
+    count = 0
+    for c in range(contacts):
+        if ties.total[c] > 0.0:
+            count += 1
+    return count
+
+
+@kernel
+def advance(until, budget, scene):
+    """Everything that happens up to `until`: (how much it was, when the last of it was)."""
+    balls = scene.balls
+    events, last = 0, 0.0
+    while events <= budget:
+        i = soonest(balls)
+        time = balls[i].next
+        if time > until or time == inf:
+            break
+        kind, other = happen(i, scene)
+        events += blows(kind, other, scene.ties)
+        last = time
+    return events, last
+
+
+@kernel
+def many(starts, rests, times, counts, budget, scene):
+    """Shot after shot, each to rest: `starts` (shots, balls, 7), `rests` (shots, balls, 2)."""
+    balls = scene.balls
+    for s in range(len(starts)):
+        for i in range(len(balls)):
+            x = starts[s][i]
+            ball = balls[i]
+            ball.since = 0.0
+            ball.position, ball.velocity = complex(x[0], x[1]), complex(x[2], x[3])
+            ball.roll, ball.side = complex(x[4], x[5]), x[6]
+        plan(scene)
+        counts[s], times[s] = advance(inf, budget, scene)
+        for i in range(len(balls)):
+            rests[s][i][0] = balls[i].position.real
+            rests[s][i][1] = balls[i].position.imag

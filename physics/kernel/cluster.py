@@ -1,0 +1,150 @@
+"""Several contacts at one instant: who is in them, and what becomes of them.
+
+The contacts of a cluster that close fastest, to 1e-9, are solved together, the others wait; again and
+again until none closes. So a symmetric rack stays symmetric, and a cradle passes its blow on in line.
+"""
+
+from .laws import FOREIGN_BALL, SMOOTH_BALL, THESIS_BALL, friction, grip, hit_ball, press, rebound, toward
+from .motion import carry, length, place
+from .subset import complex, kernel
+
+TOUCHING = 1e-8  # m: balls closer than this are in contact
+TIED = 1e-9  # closing speeds that agree to this are equal
+SWEEPS = 2000  # of the simultaneous solution: a tight rack needs a few dozen
+AGREES = 1e-15  # of the greatest speed: what a sweep may still change
+ROUNDS = 64  # a contact: then whatever still closes is left to the next event
+
+
+@kernel
+def touching(a, b, time):
+    """Is b, on its leg, in contact with a, which is at `time` already?  Boxes first: no root."""
+    x, y, r = a.position.real, a.position.imag, a.radius + TOUCHING
+    if b.west > x + r or b.east < x - r or b.south > y + r or b.north < y - r:
+        return False
+    return length(place(b, time - b.since) - a.position) < r + b.radius
+
+
+@kernel
+def crowded(i, j, time, balls):
+    """Does a third ball touch one of the two?"""
+    a, b = balls[i], balls[j]
+    for k in range(len(balls)):
+        if k != i and k != j and (touching(a, balls[k], time) or touching(b, balls[k], time)):
+            return True
+    return False
+
+
+@kernel
+def gather(i, j, time, balls, cloth, ties):
+    """All that hangs together with balls i and j: (balls in ties.member, contacts in ties.first)."""
+    member, first, second = ties.member, ties.first, ties.second
+    member[0], member[1] = i, j
+    first[0], second[0] = i, j
+    members, contacts, m = 2, 1, 0
+    while m < members:
+        a = member[m]
+        for k in range(len(balls)):
+            if k != a and (m > 1 or k != member[1 - m]) and touching(balls[a], balls[k], time):
+                at = 0
+                while at < members and member[at] != k:
+                    at += 1
+                if at == members:
+                    carry(balls[k], time, cloth)
+                    member[members] = k
+                    members += 1
+                if at > m:
+                    first[contacts], second[contacts] = a, k
+                    contacts += 1
+        m += 1
+    return members, contacts
+
+
+@kernel
+def closing_speed(a, b):
+    return (toward(a, b).conjugate() * (a.velocity - b.velocity)).real
+
+
+@kernel
+def choose(contacts, balls, ties):
+    """Put the contacts that close fastest into ties.chosen; returns how many."""
+    fastest = 0.0
+    for c in range(contacts):
+        ties.target[c] = closing_speed(balls[ties.first[c]], balls[ties.second[c]])
+        if ties.target[c] > fastest:
+            fastest = ties.target[c]
+    chosen = 0
+    for c in range(contacts):
+        if ties.target[c] > 0.0 and ties.target[c] >= (1.0 - TIED) * fastest:
+            ties.chosen[chosen] = c
+            chosen += 1
+    return chosen
+
+
+@kernel
+def collide(contacts, balls, rule, ties):
+    """Blow after blow until no contact closes; the pushes add up in ties.total."""
+    for c in range(contacts):
+        ties.total[c] = 0.0
+    if choose(contacts, balls, ties) == 0:  # it only grazed, and rounding hides that it closes
+        ties.total[0] = hit_ball(balls[ties.first[0]], balls[ties.second[0]], rule)
+    for _ in range(ROUNDS * contacts):
+        chosen = choose(contacts, balls, ties)
+        if chosen == 0:
+            return
+        if chosen == 1 or rule.kind == THESIS_BALL or rule.kind == FOREIGN_BALL:
+            for k in range(chosen):
+                c = ties.chosen[k]
+                ties.total[c] += hit_ball(balls[ties.first[c]], balls[ties.second[c]], rule)
+        else:
+            together(chosen, balls, rule, ties)
+
+
+@kernel
+def together(chosen, balls, rule, ties):
+    """Impulses that make every chosen contact part as its law wants, none of them a pull."""
+    fastest = 0.0
+    for k in range(chosen):
+        c = ties.chosen[k]
+        a, b = balls[ties.first[c]], balls[ties.second[c]]
+        closing = ties.target[c]
+        fastest = max(fastest, length(a.velocity), length(b.velocity))
+        ties.target[c] = rebound(closing, rule) - closing
+        ties.grip[c] = grip(slip_between(a, b, toward(a, b)), rule)
+        ties.push[c] = 0.0
+        ties.rub[c] = 0j
+    for _ in range(SWEEPS):
+        change = 0.0
+        for k in range(chosen):
+            change = max(change, relax(ties.chosen[k], balls, rule, ties))
+        if change <= AGREES * fastest:
+            break
+    for k in range(chosen):
+        ties.total[ties.chosen[k]] += ties.push[ties.chosen[k]]
+
+
+@kernel
+def slip_between(a, b, line):
+    turn = line.conjugate()
+    return complex((turn * (a.velocity - b.velocity)).imag + a.side + b.side, -(turn * (a.roll + b.roll)).real)
+
+
+@kernel
+def relax(c, balls, rule, ties):
+    """Bring one contact where it should be, given what the others did; returns by how much, m/s."""
+    a, b = balls[ties.first[c]], balls[ties.second[c]]
+    line = toward(a, b)
+    mass = a.mass * b.mass / (a.mass + b.mass)
+    closing = (line.conjugate() * (a.velocity - b.velocity)).real
+    push = max(0.0, ties.push[c] + mass * (closing + ties.target[c]))
+    more = push - ties.push[c]
+    press(a, b, line, more, 0j)
+    ties.push[c] = push
+    if rule.kind == SMOOTH_BALL:
+        return abs(more) / mass
+    yielding = 3.5 / mass
+    wish = slip_between(a, b, line) - yielding * ties.rub[c]
+    rub = friction(wish, ties.grip[c] * push, yielding)
+    change = rub - ties.rub[c]
+    press(a, b, line, 0.0, change)
+    ties.rub[c] = rub
+    return max(abs(more), length(change)) / mass

@@ -1,0 +1,29 @@
+"""What the kernel is written in: a subset of Python that numba compiles as it stands.
+
+This is the interpreted binding. `physics.compiled` loads the same package a second time with another
+module in this place, in which `kernel` is numba's compiler; a test does so with 50-digit numbers.
+"""
+
+from builtins import complex as complex
+from collections.abc import Callable
+from math import exp as exp
+from math import inf as inf
+from math import sqrt as sqrt
+from typing import Any, TypeVar
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def kernel(function: F) -> F:
+    """Mark a function as part of the subset."""
+    return function
+
+
+def foreign_cushion(v: complex, roll: complex, side: float, rule: Any) -> Any:
+    """A cushion law from outside: batches with one run interpreted."""
+    return rule.function(v, roll, side)
+
+
+def foreign_ball(v: complex, roll: complex, side: float, mass: float, rule: Any) -> Any:
+    """A ball law from outside."""
+    return rule.function(v, roll, side, mass)

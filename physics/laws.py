@@ -1,0 +1,233 @@
+"""The named laws of collision: their coefficients; their equations are in kernel/laws.py.
+
+A law may also be any callable. A cushion law takes (v, roll, side) of the ball, with the wall along
+x = 0 and the table at x > 0, and returns the three after the hit. A ball law takes the first ball's
+relative velocity, the two balls' summed roll and side, and their reduced mass, with the second ball
+towards +x, and returns (push, rub): the impulse along the line of centres, and the one across it as
+(along the table) + i (upward) on the first ball; the engine applies them equal and opposite. All are
+complex numbers in m/s; roll is -i R ω, side is R ω_z; impulses in N s.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import sqrt
+from typing import Any
+
+from .checks import finite, nonnegative
+from .kernel import laws as kernel
+from .kernel.body import Rule
+
+CushionState = tuple[complex, complex, float]
+
+
+def _restitution(law: object, e: float) -> None:
+    if not 0.0 <= finite(f"{type(law).__name__}.e", e) <= 1.0:
+        raise ValueError(f"{type(law).__name__}.e must be from 0 to 1, not {e!r}")
+
+
+def _height(law: object, nose: float) -> float:
+    if not 0.0 < finite(f"{type(law).__name__}.nose", nose) < 2.0:
+        raise ValueError(f"{type(law).__name__}.nose (h/R) must be between 0 and 2, not {nose!r}")
+    return nose - 1.0
+
+
+def _bent(law: object, kind: int, e: float, mu: float, nose: float) -> Rule:
+    height = _height(law, nose)
+    return Rule(kind, e, mu, height, sqrt(1.0 - height * height))
+
+
+class _CushionLaw:
+    """A cushion law can be tried by hand."""
+
+    __slots__ = ()
+
+    def rule(self) -> Rule:
+        raise NotImplementedError
+
+    def table(self) -> Any:
+        """What the kernel looks up, if anything."""
+        return NO_TABLE
+
+    def __call__(self, v: complex, roll: complex, side: float) -> CushionState:
+        """The ball's v, roll and side after the hit; the wall is x = 0, the table x > 0; m/s."""
+        result: CushionState = kernel.cushion(v, roll, side, self.rule(), self.table())
+        return result
+
+
+class _BallLaw:
+    """A ball law can be tried by hand."""
+
+    __slots__ = ()
+
+    def rule(self) -> Rule:
+        raise NotImplementedError
+
+    def __call__(
+        self, v: complex, roll: complex, side: float, mass: float
+    ) -> tuple[float, complex]:
+        """(push, rub) on the first ball, N s; see the module."""
+        result: tuple[float, complex] = kernel.ball(v, roll, side, mass, self.rule())
+        return result
+
+
+NO_TABLE: list[float] = [0.0]
+
+
+@dataclass(frozen=True, slots=True)
+class RigidCushion(_CushionLaw):
+    """The rigid impulse law (Han 2005, corrected): restitution e, friction mu, nose = h/R."""
+
+    e: float = 0.891
+    mu: float = 0.242
+    nose: float = 1.203
+
+    def __post_init__(self) -> None:
+        _restitution(self, self.e)
+        nonnegative("RigidCushion.mu", self.mu)
+        _height(self, self.nose)
+
+    def rule(self) -> Rule:
+        return _bent(self, kernel.RIGID_CUSHION, self.e, self.mu, self.nose)
+
+
+@dataclass(frozen=True, slots=True)
+class ThesisCushion(_CushionLaw):
+    """The thesis's text: the push at 7R/5 keeps a rolling ball rolling, friction has no cap.
+
+    It creates energy for balls that do not roll (docs/physics.md).
+    """
+
+    e: float = 0.9
+    mu: float = 0.1
+
+    def __post_init__(self) -> None:
+        _restitution(self, self.e)
+        nonnegative("ThesisCushion.mu", self.mu)
+
+    def rule(self) -> Rule:
+        return _bent(self, kernel.THESIS_CUSHION, self.e, self.mu, 1.4)
+
+
+@dataclass(frozen=True, slots=True)
+class CappedCushion(_CushionLaw):
+    """The thesis's push, with friction that has its whole lever arm and stops at sticking."""
+
+    e: float = 0.9
+    mu: float = 0.1
+
+    def __post_init__(self) -> None:
+        _restitution(self, self.e)
+        nonnegative("CappedCushion.mu", self.mu)
+
+    def rule(self) -> Rule:
+        return _bent(self, kernel.CAPPED_CUSHION, self.e, self.mu, 1.4)
+
+
+@dataclass(frozen=True, slots=True)
+class SmoothBall(_BallLaw):
+    """Restitution e and no friction: spins stay as they are."""
+
+    e: float = 0.95
+
+    def __post_init__(self) -> None:
+        _restitution(self, self.e)
+
+    def rule(self) -> Rule:
+        return Rule(kernel.SMOOTH_BALL, self.e)
+
+
+@dataclass(frozen=True, slots=True)
+class RoughBall(_BallLaw):
+    """Restitution e and friction mu: a number, or "alciatore" for his fit to Marlow's data."""
+
+    e: float = 0.946
+    mu: float | str = "alciatore"
+
+    def __post_init__(self) -> None:
+        _restitution(self, self.e)
+        if isinstance(self.mu, str):
+            if self.mu != "alciatore":
+                raise ValueError(f'RoughBall.mu must be a number or "alciatore", not {self.mu!r}')
+        else:
+            nonnegative("RoughBall.mu", self.mu)
+
+    def rule(self) -> Rule:
+        if isinstance(self.mu, str):
+            return Rule(kernel.ALCIATORE_BALL, self.e)
+        return Rule(kernel.ROUGH_BALL, self.e, self.mu)
+
+
+@dataclass(frozen=True, slots=True)
+class ThesisBall:
+    """The thesis's text: velocities along the line of centres swap, times e; so do spins across it.
+
+    It loses momentum, which no other law here can.
+    """
+
+    e: float = 0.95
+
+    def __post_init__(self) -> None:
+        _restitution(self, self.e)
+
+    def rule(self) -> Rule:
+        return Rule(kernel.THESIS_BALL, self.e)
+
+
+CushionLaw = _CushionLaw | Callable[[complex, complex, float], CushionState]
+BallLaw = _BallLaw | ThesisBall | Callable[[complex, complex, float, float], tuple[float, complex]]
+
+
+class ForeignRule(Rule):
+    """A law from outside, for the kernel."""
+
+    __slots__ = ("function",)
+
+    def __init__(self, kind: int, function: Callable[..., Any]) -> None:
+        super().__init__(kind)
+        self.function = function
+
+
+def cushion_law(law: "str | CushionLaw") -> CushionLaw:
+    """The law itself, from its name or as it is; ValueError for anything else."""
+    names: dict[str, Callable[[], CushionLaw]] = {
+        "rigid": RigidCushion, "thesis": ThesisCushion, "capped": CappedCushion
+    }  # fmt: skip
+    return _law("cushion law", law, names)
+
+
+def ball_law(law: "str | BallLaw") -> BallLaw:
+    """The law itself, from its name or as it is; ValueError for anything else."""
+    names: dict[str, Callable[[], BallLaw]] = {
+        "smooth": SmoothBall, "rough": RoughBall, "thesis": ThesisBall
+    }  # fmt: skip
+    return _law("ball law", law, names)
+
+
+def _law(what: str, law: Any, names: dict[str, Callable[[], Any]]) -> Any:
+    if isinstance(law, str):
+        if law not in names:
+            raise ValueError(f"unknown {what} {law!r}: one of {', '.join(sorted(names))}, or a callable")
+        return names[law]()
+    if isinstance(law, type) or not (callable(law) or isinstance(law, ThesisBall)):
+        raise ValueError(f"{what} must be a name, a law or a callable, not {law!r}")
+    return law
+
+
+def cushion_rule(law: CushionLaw, parting: float) -> Rule:
+    """The law as the kernel wants it."""
+    rule = law.rule() if isinstance(law, _CushionLaw) else ForeignRule(kernel.FOREIGN_CUSHION, law)
+    rule.parting = parting
+    return rule
+
+
+def ball_rule(law: BallLaw, parting: float) -> Rule:
+    """The law as the kernel wants it."""
+    named = isinstance(law, _BallLaw | ThesisBall)
+    rule = law.rule() if named else ForeignRule(kernel.FOREIGN_BALL, law)  # type: ignore[union-attr,arg-type]
+    rule.parting = parting
+    return rule
+
+
+def cushion_table(law: CushionLaw) -> Any:
+    """The numbers that the law looks up."""
+    return law.table() if isinstance(law, _CushionLaw) else NO_TABLE

@@ -1,0 +1,238 @@
+"""What happened: every event, and every leg that a ball has moved on."""
+
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple, overload
+
+from .kernel.body import Body, Felt
+from .kernel.calendar import CUSHION, PAIR, PHASE
+from .kernel.motion import RESTING, ROLLING, faded, length
+from .wall import Wall
+
+Vector = tuple[float, float]
+
+
+class State(NamedTuple):
+    """A ball at a moment: (x, y) m, (vx, vy) m/s, (wx, wy, wz) rad/s."""
+
+    position: Vector
+    velocity: Vector
+    spin: tuple[float, float, float]
+
+
+class Leg(NamedTuple):
+    """Motion between two events: from `epoch` + `since` on, with constant acceleration."""
+
+    epoch: float
+    since: float
+    position: complex
+    velocity: complex
+    acceleration: complex
+    roll: complex  # -i R ω, m/s
+    side: float  # R ω_z, m/s
+    phase: int
+    radius: float
+    fade: float
+
+    @property
+    def time(self) -> float:
+        """When it begins, seconds."""
+        return self.epoch + self.since
+
+    def after(self, t: float) -> "Leg":
+        """The leg as it is t seconds on: the same motion, begun later."""
+        gain = t * self.acceleration
+        return self._replace(
+            since=self.since + t,
+            position=self.position + t * (self.velocity + 0.5 * t * self.acceleration),
+            velocity=self.velocity + gain,
+            roll=self.roll + (gain if self.phase == ROLLING else -2.5 * gain),
+            side=faded(self.side, t * self.radius * self.fade),
+        )
+
+    def state(self) -> State:
+        """Where it begins and how."""
+        p, v, roll, r = self.position, self.velocity, self.roll, self.radius
+        return State((p.real, p.imag), (v.real, v.imag), (-roll.imag / r, roll.real / r, self.side / r))
+
+    def energy(self, mass: float) -> float:
+        """Kinetic energy of moving and turning, J."""
+        v, w, side = length(self.velocity), length(self.roll), self.side
+        return mass * (0.5 * v * v + 0.2 * (w * w + side * side))
+
+
+class Event(NamedTuple):
+    """One thing that happened.
+
+    time s; kind "roll", "rest", "cushion" or "ball"; balls: names; wall: name, or None; point: (x, y)
+    of the contact (of the centre, where nothing touched), m; before and after: a State for each ball;
+    closing: speed along the contact's normal before, m/s; impulse: N s; energy_lost: J, in a cluster of
+    contacts their common loss shared by impulse. Events of one instant have the same time.
+    """
+
+    time: float
+    kind: str
+    balls: tuple[str, ...]
+    wall: str | None
+    point: Vector
+    before: tuple[State, ...]
+    after: tuple[State, ...]
+    closing: float
+    impulse: float
+    energy_lost: float
+
+
+class Log(Sequence[Event]):
+    """The events in their order; each is worked out when it is looked at."""
+
+    def __init__(self) -> None:
+        self.names: list[str] = []
+        self._masses: list[float] = []
+        self._walls: list[Wall] = []
+        self._legs: list[list[tuple[Any, ...]]] = []
+        self._events: list[tuple[Any, ...]] = []
+
+    # -- written by the world and its engine ---------------------------------------------------
+
+    def register(self, name: str, mass: float) -> None:
+        """One more ball."""
+        self.names.append(name)
+        self._masses.append(mass)
+        self._legs.append([])
+
+    def watch(self, walls: list[Wall]) -> None:
+        """The walls that events will speak of, in their order."""
+        self._walls = walls
+
+    def begin(self, i: int, epoch: float, body: Body, fade: float) -> None:
+        """Ball i is on a new leg."""
+        self._legs[i].append(
+            (epoch, body.since, body.position, body.velocity, body.acceleration, body.roll, body.side,
+             body.phase, body.radius, fade)
+        )  # fmt: skip
+
+    def knows(self, i: int) -> bool:
+        """Is there a leg of ball i?"""
+        return bool(self._legs[i])
+
+    def note(self, epoch: float, time: float, kind: int, i: int, other: int) -> None:
+        """Ball i has ended a phase, met wall `other` or met ball `other`; new legs have begun."""
+        legs = self._legs
+        j = other if kind == PAIR else i
+        self._events.append((epoch, time, kind, other, i, len(legs[i]) - 1, j, len(legs[j]) - 1, None))
+
+    def note_cluster(
+        self, epoch: float, time: float, pairs: Sequence[tuple[int, int, float]], members: Sequence[int]
+    ) -> None:
+        """Contacts (ball, ball, impulse) of one instant among the members; new legs have begun."""
+        last = tuple((m, len(self._legs[m]) - 1) for m in members)
+        legs = dict(last)
+        whole = sum(push for _, _, push in pairs)
+        for i, j, push in pairs:
+            shared = (push, push / whole, last)
+            self._events.append((epoch, time, PAIR, j, i, legs[i], j, legs[j], shared))
+
+    def clear(self) -> None:
+        """Forget what happened; the legs that balls are on stay."""
+        self._events.clear()
+        for legs in self._legs:
+            del legs[:-1]
+
+    def copy(self) -> "Log":
+        """The same history, to be continued apart."""
+        log = self.fresh()
+        log._legs = [legs[:] for legs in self._legs]
+        log._events = self._events[:]
+        return log
+
+    def fresh(self) -> "Log":
+        """An empty log of the same balls and walls."""
+        log = Log()
+        log.names, log._masses, log._walls = self.names[:], self._masses[:], self._walls
+        log._legs = [[] for _ in self.names]
+        return log
+
+    # -- read by everybody ---------------------------------------------------------------------
+
+    def __len__(self) -> int:
+        return len(self._events)
+
+    @overload
+    def __getitem__(self, index: int) -> Event: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Event]: ...
+    def __getitem__(self, index: int | slice) -> Event | list[Event]:
+        if isinstance(index, slice):
+            return [self._event(*raw) for raw in self._events[index]]
+        return self._event(*self._events[index])
+
+    def __iter__(self) -> Iterator[Event]:
+        return (self._event(*raw) for raw in self._events)
+
+    def __repr__(self) -> str:
+        return f"<Log of {len(self)} events>"
+
+    @property
+    def start(self) -> float:
+        """When the first leg begins, seconds."""
+        return min((Leg(*legs[0]).time for legs in self._legs if legs), default=0.0)
+
+    def legs(self, name: str) -> list[Leg]:
+        """The legs of a ball, in their order."""
+        return [Leg(*leg) for leg in self._legs[self.names.index(name)]]
+
+    def at(self, time: float) -> dict[str, State]:
+        """Every ball as it was at `time`, seconds; before the log began, as it began."""
+        return {name: self._leg(i, time).state() for i, name in enumerate(self.names)}
+
+    def _leg(self, i: int, time: float) -> Leg:
+        legs = self._legs[i]
+        k = bisect_right(legs, time, key=lambda leg: leg[0] + leg[1]) - 1
+        leg = Leg(*legs[max(k, 0)])
+        return leg.after(max(0.0, time - leg.epoch - leg.since))
+
+    def _turn(self, i: int, leg: int, epoch: float, time: float) -> tuple[Leg, Leg]:
+        """The end of the leg before, and the leg."""
+        before = Leg(*self._legs[i][max(leg - 1, 0)])
+        return before.after((epoch - before.epoch) + (time - before.since)), Leg(*self._legs[i][leg])
+
+    def _lost(self, i: int, turn: tuple[Leg, Leg]) -> float:
+        return turn[0].energy(self._masses[i]) - turn[1].energy(self._masses[i])
+
+    def _event(
+        self, epoch: float, time: float, kind: int, other: int,
+        i: int, leg_i: int, j: int, leg_j: int, shared: Any,
+    ) -> Event:  # fmt: skip
+        first = self._turn(i, leg_i, epoch, time)
+        lost = self._lost(i, first)
+        names, turns = (self.names[i],), (first,)
+        point, normal = first[1].position, 0j
+        wall = None
+        if kind == CUSHION:
+            wall, normal = self._walls[other].name, -self._walls[other].normal
+            point += first[1].radius * normal
+        elif kind == PAIR:
+            second = self._turn(j, leg_j, epoch, time)
+            names, turns = (self.names[i], self.names[j]), (first, second)
+            line = second[1].position - point
+            normal = line / length(line)
+            point += first[1].radius * normal
+            lost += self._lost(j, second)
+        closing = (normal.conjugate() * first[0].velocity).real
+        if kind == PAIR:
+            closing -= (normal.conjugate() * second[0].velocity).real
+        impulse = 0.0 if kind == PHASE else self._masses[i] * length(first[1].velocity - first[0].velocity)
+        if shared is not None:
+            impulse, share, members = shared
+            lost = share * sum(self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members)
+        return Event(
+            epoch + time, _kind(kind, first[1].phase), names, wall, (point.real, point.imag),
+            tuple(turn[0].state() for turn in turns), tuple(turn[1].state() for turn in turns),
+            closing, impulse, lost,
+        )  # fmt: skip
+
+
+def _kind(kind: int, phase: int) -> str:
+    if kind == PHASE:
+        return "rest" if phase == RESTING else "roll"
+    return "cushion" if kind == CUSHION else "ball"

@@ -1,0 +1,95 @@
+"""Scenes that tests, benchmarks, the game and the command line share; a new one is one function."""
+
+from collections.abc import Callable
+from math import sqrt
+
+from . import laws, tables
+from .ball import Ball
+from .shot import Shot, direction
+from .world import World
+
+R = tables.THESIS.radius
+
+
+def thesis_1() -> World:
+    """The thesis's massé: spin against the motion bends the path backwards (V 2, WxR -10, WyR 5)."""
+    world = tables.thesis()
+    world.add(Ball("white", at=(-1.0, 0.5)))
+    world.strike("white", Shot(2.0, follow=-10.0, masse=5.0))
+    return world
+
+
+def thesis_2() -> World:
+    """The thesis's cushion with side: the path bends at the cushion (V 1, WxR 1, WzR 3)."""
+    world = tables.thesis()
+    world.add(Ball("white", at=(0.0, 0.0)))
+    world.strike("white", Shot(1.0, follow=1.0, side=3.0))
+    return world
+
+
+def _thesis_3(angle: float) -> World:
+    world = tables.thesis()
+    world.add(Ball("red", at=(-0.5, 0.3)))
+    world.add(Ball("yellow", at=(0.62, -0.48)))
+    world.strike("red", Shot(1.0, angle))
+    world.strike("yellow", Shot(2.0, 150.0))
+    return world
+
+
+def thesis_3a() -> World:
+    """The thesis's two balls, nearly head-on: they swap their velocities."""
+    return _thesis_3(-45.0)
+
+
+def thesis_3b() -> World:
+    """The thesis's two balls, oblique."""
+    return _thesis_3(-50.0)
+
+
+def single() -> World:
+    """One ball around the table, with side."""
+    world = tables.thesis()
+    world.add(Ball("white", at=(-0.6, 0.0)))
+    world.ball_law, world.cushion_law = "rough", laws.RigidCushion(0.9, 0.1, 1.4)
+    world.strike("white", Shot(3.0, 25.0, follow=0.5, side=1.5))
+    return world
+
+
+def carom() -> World:
+    """Four balls, all at rest, waiting for a shot at the white."""
+    world = tables.medium_carom()
+    for name, at in (
+        ("white", (-0.6, 0.0)), ("yellow", (0.6, 0.01)), ("red", (-0.2, 0.3)), ("red 2", (0.3, -0.3))
+    ):  # fmt: skip
+        world.add(Ball(name, at=at))
+    return world
+
+
+def rack15(gap: float = 1e-5, speed: float = 8.0) -> World:
+    """Fifteen balls in a triangle, gaps in metres, and a cue ball on its way at `speed` m/s."""
+    world = tables.thesis()
+    world.ball_law, world.cushion_law = "rough", laws.RigidCushion(0.9, 0.1, 1.4)
+    world.add(Ball("cue", at=(-0.6, 0.0)))
+    pitch = 2.0 * R + gap
+    for row in range(5):
+        for place in range(row + 1):
+            y = (place - 0.5 * row) * pitch
+            world.add(Ball(f"{len(world.balls)}", at=(0.5 + row * pitch * sqrt(0.75), y)))
+    world.strike("cue", Shot(speed))
+    return world
+
+
+def cradle(balls: int = 5, angle: float = 0.0) -> World:
+    """Newton's cradle: a ball runs at 1 m/s, at `angle` degrees, into a row that touches."""
+    world = World(ball_law=laws.SmoothBall(1.0))
+    line = direction(angle)
+    for k in range(balls):
+        p = (2.0 * R * k - (0.1 if k == 0 else 0.0)) * line
+        world.add(Ball(f"{k}", at=(p.real, p.imag)))
+    world.strike("0", Shot(1.0, angle, follow=1.0))
+    return world
+
+
+SCENES: dict[str, Callable[[], World]] = {
+    scene.__name__: scene for scene in (thesis_1, thesis_2, thesis_3a, thesis_3b, single, carom, rack15, cradle)
+}

@@ -1,0 +1,44 @@
+"""A shot: the five numbers that the thesis's boxes ask for."""
+
+from cmath import rect
+from dataclasses import dataclass
+from math import radians
+
+from .checks import finite, positive
+
+QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
+
+
+def direction(degrees: float) -> complex:
+    """The unit vector at an angle; exact at whole quarters of a turn."""
+    quarters, rest = divmod(degrees, 90.0)
+    return QUARTERS[int(quarters) % 4] * rect(1.0, radians(rest))
+
+
+@dataclass(frozen=True, slots=True)
+class Shot:
+    """What the cue gives the ball: speed V in m/s, angle in degrees, and three surface speeds in m/s.
+
+    follow (Wx·R) spins about the horizontal axis left of the direction of travel, + runs after the
+    ball, - draws it back; masse (Wy·R) about the direction of travel; side (Wz·R) about the vertical,
+    + left, anticlockwise from above. ValueError unless all are finite and the speed is above zero.
+    """
+
+    speed: float
+    angle: float = 0.0
+    follow: float = 0.0
+    masse: float = 0.0
+    side: float = 0.0
+
+    def __post_init__(self) -> None:
+        positive("Shot.speed", self.speed)
+        for name in ("angle", "follow", "masse", "side"):
+            finite(f"Shot.{name}", getattr(self, name))
+
+    def velocity(self) -> complex:
+        """m/s, in the plane of the table."""
+        return self.speed * direction(self.angle)
+
+    def roll(self) -> complex:
+        """The velocity at which the ball would roll with this spin, -i R ω, m/s."""
+        return complex(self.follow, -self.masse) * direction(self.angle)

@@ -1,0 +1,56 @@
+"""Tables to play on: playing surface, balls, cloth and laws in one preset (sources in docs/physics.md)."""
+
+from dataclasses import dataclass
+
+from . import laws
+from .cloth import Cloth
+from .wall import Wall
+from .world import World
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """length and width between the cushions' noses, ball radius: metres; ball mass: kg."""
+
+    length: float
+    width: float
+    radius: float
+    mass: float
+    cloth: Cloth
+    ball_law: laws.BallLaw
+    cushion_law: laws.CushionLaw
+
+    def world(self) -> World:
+        """An empty world: four walls named west, east, south and north, cloth and laws."""
+        world = World(self.cloth, self.ball_law, self.cushion_law)
+        world.add(Wall.line(1.0, 0.0, 0.5 * self.length, "west"))
+        world.add(Wall.line(-1.0, 0.0, 0.5 * self.length, "east"))
+        world.add(Wall.line(0.0, 1.0, 0.5 * self.width, "south"))
+        world.add(Wall.line(0.0, -1.0, 0.5 * self.width, "north"))
+        return world
+
+
+MEASURED = Cloth(slide=0.212, roll=0.0045, spin_decay=10.0, gravity=9.81)
+
+THESIS = Table(2.448, 1.270, 0.03275, 0.25, Cloth(), laws.ThesisBall(), laws.ThesisCushion())
+MEDIUM_CAROM = Table(
+    2.54, 1.27, 0.03275, 0.25, MEASURED, laws.RoughBall(), laws.RigidCushion(nose=0.039 / 0.03275)
+)
+MATCH_CAROM = Table(
+    2.84, 1.42, 0.03075, 0.21, MEASURED, laws.RoughBall(), laws.RigidCushion(nose=0.037 / 0.03075)
+)
+
+
+def thesis() -> World:
+    """The thesis's table and laws, with exact events."""
+    return THESIS.world()
+
+
+def medium_carom() -> World:
+    """The Korean medium table (중대) with 65.5 mm balls, for 4-ball."""
+    return MEDIUM_CAROM.world()
+
+
+def match_carom() -> World:
+    """The match table (대대) with 61.5 mm balls, for three-cushion."""
+    return MATCH_CAROM.world()

@@ -1,0 +1,48 @@
+"""A wall: a straight line without end; the table is what lies inside them all."""
+
+from dataclasses import dataclass
+
+from .checks import finite, vector
+from .kernel.body import Line
+from .kernel.motion import length
+
+
+@dataclass(frozen=True, slots=True)
+class Wall:
+    """Balls are where (conj(normal) * p).real > offset; make one with `Wall.line` or `Wall.through`.
+
+    normal: inward unit normal as a complex number; offset in metres.
+    """
+
+    normal: complex
+    offset: float
+    name: str | None = None
+
+    @classmethod
+    def line(cls, a: float, b: float, d: float, name: str | None = None) -> "Wall":
+        """The line a x + b y + d = 0 with the balls where it is positive: the thesis's equation."""
+        a, b, d = (finite(f"Wall.line {key}", value) for key, value in zip("abd", (a, b, d), strict=True))
+        size = length(complex(a, b))
+        if size == 0.0:
+            raise ValueError(f"Wall.line a and b must not both be zero, not {a!r}, {b!r}")
+        return cls(complex(a / size, b / size), -d / size, name)
+
+    @classmethod
+    def through(
+        cls, p: tuple[float, float], q: tuple[float, float], name: str | None = None
+    ) -> "Wall":
+        """The line from p to q, metres, with the balls on its left."""
+        px, py = vector("Wall.through p", p, 2)
+        qx, qy = vector("Wall.through q", q, 2)
+        if (px, py) == (qx, qy):
+            raise ValueError(f"Wall.through needs two points, not {p!r} twice")
+        a, b = py - qy, qx - px
+        return cls.line(a, b, -(a * px + b * py), name)
+
+    def distance(self, p: tuple[float, float]) -> float:
+        """How far inside the point (x, y) is, metres; negative outside."""
+        return (self.normal.conjugate() * complex(*p)).real - self.offset
+
+    def record(self) -> Line:
+        """The wall as the kernel sees it."""
+        return Line(self.normal, self.offset, self.normal.conjugate())

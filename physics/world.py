@@ -1,0 +1,284 @@
+"""The world: balls, walls and laws on one cloth, and the moment they are at."""
+
+from math import inf, isnan
+from typing import TypeVar
+
+from . import laws
+from .ball import DISTURBED, Ball, Clock
+from .checks import nonnegative
+from .cloth import Cloth
+from .engine import Engine, EventDriven
+from .kernel.body import Scene, ties
+from .kernel.motion import RESTING, carry, length
+from .log import Log
+from .shot import Shot
+from .wall import Wall
+
+OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
+
+Thing = TypeVar("Thing", Ball, Wall)
+
+
+class World:
+    """Balls inside walls on a cloth, laws for what happens when they touch, an engine and a log.
+
+    ball_law and cushion_law: a law of `physics.laws`, its name, or any callable (see there). All can
+    be read and assigned at any moment. What cannot be raises ValueError and changes nothing.
+    """
+
+    def __init__(
+        self,
+        cloth: Cloth | None = None,
+        ball_law: str | laws.BallLaw = "rough",
+        cushion_law: str | laws.CushionLaw = "rigid",
+        engine: Engine | None = None,
+    ) -> None:
+        self._cloth = Cloth() if cloth is None else cloth
+        self._engine: Engine = EventDriven() if engine is None else engine
+        self._ball_law = laws.ball_law(ball_law)
+        self._cushion_law = laws.cushion_law(cushion_law)
+        self._clock = Clock(self._cloth.felt())
+        self._balls: list[Ball] = []
+        self._index: dict[str, int] = {}
+        self._walls: list[Wall] = []
+        self.log = Log()
+        self.log.watch(self._walls)
+        self.scene = Scene([], [], [], self._clock.cloth, *self._rules(), ties(0))
+        # for the engine: when the next event is due, from the epoch on; when it planned; its budget
+        self.due = inf
+        self.planned = 0.0
+        self.allowed = 0
+
+    def __repr__(self) -> str:
+        return f"<World of {len(self._balls)} balls at t = {self.time!r} s>"
+
+    # -- what is in it -------------------------------------------------------------------------
+
+    def add(self, thing: Thing) -> Thing:
+        """Put a ball or a wall into the world; returns it."""
+        if isinstance(thing, Ball):
+            self._add_ball(thing)
+        elif isinstance(thing, Wall):
+            self._walls.append(thing)
+            self.scene.walls.append(thing.record())
+            self._clock.moved = True
+        else:
+            raise ValueError(f"a world takes a Ball or a Wall, not {thing!r}")
+        self._disturb()
+        return thing
+
+    def _add_ball(self, ball: Ball) -> None:
+        if ball.name in self._index:
+            raise ValueError(f"there is a ball {ball.name!r} already")
+        n = len(self._balls) + 1
+        body = ball.join(self._clock)
+        self._index[ball.name] = n - 1
+        self._balls.append(ball)
+        self.scene.balls.append(body)
+        self.log.register(ball.name, ball.mass)
+        self.scene = self.scene._replace(meetings=[inf] * (n * n), ties=ties(n))
+
+    @property
+    def balls(self) -> tuple[Ball, ...]:
+        """In the order in which they were added."""
+        return tuple(self._balls)
+
+    @property
+    def walls(self) -> tuple[Wall, ...]:
+        """In the order in which they were added."""
+        return tuple(self._walls)
+
+    def ball(self, ball: "Ball | str") -> Ball:
+        """This world's ball of that name (or of that ball's name); ValueError if it has none."""
+        name = ball.name if isinstance(ball, Ball) else ball
+        if name not in self._index:
+            raise ValueError(f"there is no ball {name!r} in this world")
+        return self._balls[self._index[name]]
+
+    # -- how it works --------------------------------------------------------------------------
+
+    @property
+    def cloth(self) -> Cloth:
+        return self._cloth
+
+    @cloth.setter
+    def cloth(self, cloth: Cloth) -> None:
+        self._disturb()
+        self._cloth, self._clock.cloth = cloth, cloth.felt()
+        self.scene = self.scene._replace(cloth=self._clock.cloth)
+
+    @property
+    def ball_law(self) -> laws.BallLaw:
+        return self._ball_law
+
+    @ball_law.setter
+    def ball_law(self, law: str | laws.BallLaw) -> None:
+        self._ball_law = laws.ball_law(law)
+        self._renew_rules()
+
+    @property
+    def cushion_law(self) -> laws.CushionLaw:
+        return self._cushion_law
+
+    @cushion_law.setter
+    def cushion_law(self, law: str | laws.CushionLaw) -> None:
+        self._cushion_law = laws.cushion_law(law)
+        self._renew_rules()
+
+    @property
+    def engine(self) -> Engine:
+        return self._engine
+
+    @engine.setter
+    def engine(self, engine: Engine) -> None:
+        self._disturb()
+        self._engine = engine
+        self._renew_rules()
+
+    def _rules(self) -> tuple[object, object, object]:
+        vmin = self._engine.vmin
+        return (
+            laws.ball_rule(self._ball_law, vmin),
+            laws.cushion_rule(self._cushion_law, vmin),
+            laws.cushion_table(self._cushion_law),
+        )
+
+    def _renew_rules(self) -> None:
+        ball, cushion, table = self._rules()
+        self.scene = self.scene._replace(ball_rule=ball, cushion_rule=cushion, cushion_table=table)
+
+    # -- the moment it is at -------------------------------------------------------------------
+
+    @property
+    def time(self) -> float:
+        """Seconds since the world began."""
+        return self._clock.epoch + self._clock.now
+
+    @property
+    def epoch(self) -> float:
+        """When somebody last set balls in motion that all lay still, seconds; events count from it."""
+        return self._clock.epoch
+
+    @property
+    def now(self) -> float:
+        """Seconds since the epoch."""
+        return self._clock.now
+
+    @property
+    def at_rest(self) -> bool:
+        """Does nothing move or roll any more?  (A ball may still spin on the spot.)"""
+        return all(ball.phase == "resting" for ball in self._balls)
+
+    @property
+    def next_event(self) -> float:
+        """When something will happen next, seconds, or inf."""
+        self._look()
+        return self._clock.epoch + self.due
+
+    # -- what one does with it -----------------------------------------------------------------
+
+    def strike(self, ball: Ball | str, shot: Shot) -> None:
+        """Give a ball the velocity and spin of the shot, whatever it did before."""
+        body = self.ball(ball).disturb()
+        body.velocity, body.roll, body.side = shot.velocity(), shot.roll(), shot.side
+
+    def stop(self) -> None:
+        """All balls stop where they are."""
+        for ball in self._balls:
+            body = ball.disturb()
+            body.velocity, body.roll, body.side = 0j, 0j, 0.0
+
+    def step(self, dt: float) -> None:
+        """Let dt seconds pass: n steps of dt / n, whatever n, lead to the same rest, bit for bit."""
+        clock = self._clock
+        nonnegative("World.step dt", dt)
+        if clock.disturbed:
+            self._look()
+        now = clock.now + dt
+        if clock.epoch + self.due <= clock.epoch + now:
+            self._engine.advance(self, clock.epoch + now)
+        clock.now = now
+
+    def run(self, until: float = inf) -> None:
+        """Let time pass until all balls rest, or until world time `until`, seconds, which is included."""
+        if isnan(until) or until < self.time:
+            raise ValueError(f"World.run until must not be before now, {self.time!r}, but is {until!r}")
+        self._look()
+        reached = self._engine.advance(self, until)
+        self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
+
+    def copy(self) -> "World":
+        """The same world once more, on the same legs, to be continued apart."""
+        return self._fork(self.log.copy())
+
+    def _fork(self, log: Log) -> "World":
+        world = World.__new__(World)
+        clock = self._clock.copy()
+        balls = [ball.twin(clock) for ball in self._balls]
+        world.__dict__.update(self.__dict__)
+        world._clock, world._balls, world.log = clock, balls, log
+        world._index, world._walls = self._index.copy(), self._walls[:]
+        log.watch(world._walls)
+        world.scene = self.scene._replace(
+            balls=[ball.body for ball in balls],
+            meetings=self.scene.meetings[:],
+            walls=self.scene.walls[:],
+            ties=ties(len(balls)),
+        )
+        return world
+
+    # -- taking in what somebody changed -------------------------------------------------------
+
+    def _disturb(self) -> None:
+        self._clock.disturbed = True
+        for ball in self._balls:
+            ball.disturb()
+
+    def _look(self) -> None:
+        """Plan anew for the balls that somebody has put or pushed."""
+        clock, bodies = self._clock, self.scene.balls
+        if not clock.disturbed:
+            return
+        if clock.moved:
+            self._check_places()
+        if all(body.phase in (RESTING, DISTURBED) for body in bodies):
+            self._begin_epoch()
+        self.planned = self.time
+        self._engine.plan(self, [i for i, body in enumerate(bodies) if body.phase == DISTURBED])
+        clock.disturbed = clock.moved = False
+        for i, body in enumerate(bodies):
+            if not self.log.knows(i):
+                self.log.begin(i, clock.epoch, body, clock.cloth.fade)
+
+    def _begin_epoch(self) -> None:
+        """Count time from now on: the same shot has the same digits, whenever it is played."""
+        clock = self._clock
+        for body in self.scene.balls:
+            carry(body, clock.now, clock.cloth)
+            body.since = 0.0
+        clock.epoch, clock.now = clock.epoch + clock.now, 0.0
+
+    def _check_places(self) -> None:
+        """ValueError, naming the ball, if one lies outside the walls or in another one."""
+        spots = [(ball, complex(*ball.position), ball.radius) for ball in self._balls]
+        for ball, p, r in spots:
+            for wall in self._walls:
+                if wall.distance((p.real, p.imag)) < r - OVERLAP:
+                    raise ValueError(f"{ball!r} is outside the wall {wall.name or wall!r}")
+        spots.sort(key=lambda spot: spot[1].real - spot[2])
+        for i, (ball, p, r) in enumerate(spots):
+            for k in range(i + 1, len(spots)):
+                other, q, s = spots[k]
+                if q.real - s > p.real + r:
+                    break
+                if length(q - p) < r + s - OVERLAP:
+                    raise ValueError(f"{ball!r} and {other!r} overlap")
+
+
+def simulate(world: World, ball: Ball | str, shot: Shot) -> World:
+    """A copy of the world after the shot, all at rest; its log holds the shot.  The world stays as it is."""
+    world._look()
+    after = world._fork(world.log.fresh())
+    after.strike(ball, shot)
+    after.run()
+    return after
