@@ -16,12 +16,12 @@ from fontTools import subset
 
 TARGET = Path(__file__).parent.parent / "assets" / "NotoSansKR-subset.otf"
 ASCII_AND_LATIN_1 = [*range(0x20, 0x7F), *range(0xA0, 0x100)]
-PUNCTUATION = "‐‑–—―‘’“”•…‰′″‹›⁄"
-ARROWS_AND_MATHS = "←↑→↓↔↕↺↻∂∆∑−√∞∫≈≠≤≥⋅"
-LETTERS = "αβγδεθκλμνπρστφψωΔΣΩ"
-SIGNS = "⅓⅔⅛⅜⅝⅞₀₁₂₃₄⁰⁴■□▲△▶▷▼▽◀◁◆◇○●★☆♪✓①②③④⑤"
+PUNCTUATION = [*range(0x2010, 0x2016), *range(0x2018, 0x2020), 0x2022, 0x2026, 0x2030, 0x2032]
+GREEK = [*range(0x391, 0x3AA), *range(0x3B1, 0x3CA)]
+ARROWS_AND_MATHS = [*range(0x2190, 0x219A), 0x21BA, 0x21BB, *range(0x2200, 0x2266)]
+SIGNS = [*range(0x2150, 0x215F), *range(0x2080, 0x208A), *range(0x25A0, 0x25D0), 0x2605, 0x2606]
 JAMO = [*range(0x3131, 0x3164)]
-CJK_PUNCTUATION = "、。「」『』《》〈〉【】·~"
+CJK_PUNCTUATION = [*range(0x3001, 0x3012)]
 
 
 def common_syllables() -> list[int]:
@@ -31,8 +31,8 @@ def common_syllables() -> list[int]:
 
 def characters() -> list[int]:
     """Return every code point the subset keeps."""
-    signs = PUNCTUATION + ARROWS_AND_MATHS + LETTERS + SIGNS + CJK_PUNCTUATION
-    return sorted({*ASCII_AND_LATIN_1, *map(ord, signs), *JAMO, *common_syllables()})
+    signs = PUNCTUATION + GREEK + ARROWS_AND_MATHS + SIGNS + CJK_PUNCTUATION
+    return sorted({*ASCII_AND_LATIN_1, *signs, *JAMO, *common_syllables()})
 
 
 def options() -> subset.Options:

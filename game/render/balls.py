@@ -12,6 +12,7 @@ import pygame
 from numpy.typing import NDArray
 
 from . import light
+from .arrays import Floats
 from .layout import Layout
 from .theme import CLOTHS, BallLook, Colour
 from .turning import RACKED, Quaternion, matrix, turned, unit
@@ -28,13 +29,15 @@ def _shades(look: BallLook, radius: float) -> NDArray[np.uint32]:
     t = np.arange(SHADES, dtype=np.float64) / (SHADES - 1)
     painted = np.zeros(SHADES)
     for low, high in look.marks:
-        ends = [(np.sqrt(max(0.0, 1 - e * e)) if not look.banded else 1.0) / radius for e in (low, high)]
+        ends = [
+            (np.sqrt(max(0.0, 1 - e * e)) if not look.banded else 1.0) / radius for e in (low, high)
+        ]
         rise = ((t - low) / max(ends[0], 1e-6) + 0.5).clip(0, 1)
         fall = ((high - t) / max(ends[1], 1e-6) + 0.5).clip(0, 1)
         painted = np.maximum(painted, np.minimum(rise, fall))
     body, mark = np.array(look.body), np.array(look.mark)
     r, g, b = np.round(body + (mark - body) * painted[:, None]).astype(np.uint32).T
-    return (np.uint32(255) << 24 | r << 16 | g << 8 | b).astype(np.uint32)
+    return np.asarray(np.uint32(255) << 24 | r << 16 | g << 8 | b, np.uint32)
 
 
 class _Painter:
@@ -42,7 +45,7 @@ class _Painter:
 
     def __init__(self, radius: float, cloth: Colour) -> None:
         self.radius, self.cloth = radius, cloth
-        self.side = 2 * (int(np.ceil(2 * radius)) // 2 + 3)
+        self.side = 2 * (int(np.ceil(2 * radius)) + 3)
         self.normal, self.cover = light.normals(self.side, 2 * radius, self.side / 2)
         # pygame wants rows first, surfarray columns first: paint in rows
         flat = np.ascontiguousarray(self.normal.transpose(0, 2, 1)).reshape(3, -1)
@@ -69,7 +72,7 @@ class _Painter:
         self,
         shades: NDArray[np.uint32],
         banded: bool,
-        turn: NDArray[np.float32],
+        turn: Floats,
         where: tuple[float, float],
         half: tuple[int, int],
     ) -> pygame.Surface:
@@ -151,7 +154,7 @@ class BallSprites:
         The same surface comes back while the ball neither turns nor moves half a pixel.
         """
         x, y = self.layout.to_screen(*at)
-        left, top = (round(2 * p) - self._painter.side // 2 * 1 for p in (x, y))
+        left, top = (round(2 * p) - self._painter.side // 2 for p in (x, y))
         half = (left % 2, top % 2)
         key = (self._turns[index], half, self._cell(at))
         kept = self._sprites[index]

@@ -8,8 +8,8 @@ import numpy as np
 import pygame
 
 from . import raster, theme
+from .arrays import Floats
 from .layout import Layout
-from .raster import Floats
 
 LENGTH = 1.40
 TIP, BUTT = 0.0060, 0.0145

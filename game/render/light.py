@@ -7,11 +7,9 @@ product of light and colour stays a product and highlights are added.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from .arrays import Bytes, Floats
 from .theme import Colour
-
-Floats = NDArray[np.float32]
 
 LAMPS = ((0.62, 0.42, 0.95), (-0.62, -0.42, 0.95))
 """Two lamps, metres from the middle of the table: at (+-0.62, 0.42) seen from the ball's own side."""
@@ -74,13 +72,13 @@ def highlight(normal: Floats, x: float, y: float) -> Floats:
         u = mirrored[0] / np.maximum(up, 0.05) - lamp[0] / lamp[2]
         v = mirrored[1] / np.maximum(up, 0.05) - lamp[1] / lamp[2]
         inside = _smooth(-0.14, 0.14, 0.48 - np.abs(u)) * _smooth(-0.14, 0.14, 0.26 - np.abs(v))
-        total += np.where(up > 0.05, 0.80 * inside, 0)
+        total += 0.80 * inside * (up > 0.05)
     return total
 
 
 def overlays(
     normal: Floats, cover: Floats, x: float, y: float, cloth: Colour
-) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+) -> tuple[Bytes, Bytes]:
     """Return the multiply overlay (side, side, 4) and the add overlay (side, side, 3).
 
     The fourth channel of the first is the ball's coverage.

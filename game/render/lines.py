@@ -13,7 +13,7 @@ import numpy as np
 import pygame
 
 from . import raster
-from .raster import Floats, Points
+from .arrays import Floats, Indices, Points
 from .theme import HALO, Colour
 
 TAIL = 0.30
@@ -43,10 +43,10 @@ def decimated(points: Points, tolerance: float = 0.25) -> list[tuple[float, floa
 
 
 def _distances(
-    points: raster.NDArray[np.float64],
-    first: raster.NDArray[np.float64],
-    last: raster.NDArray[np.float64],
-) -> raster.NDArray[np.float64]:
+    points: Floats,
+    first: Floats,
+    last: Floats,
+) -> Floats:
     """Return the distance of each point from the segment first-last."""
     step = last - first
     share = ((points - first) @ step / max(float(step @ step), 1e-12)).clip(0, 1)
@@ -90,7 +90,7 @@ def _dashed(along: Floats, dashes: Sequence[float]) -> Floats:
     phase = along % sum(dashes)
     cover, start = np.zeros_like(along), 0.0
     for on, off in zip(dashes[::2], dashes[1::2], strict=True):
-        cover += ((phase - start + 0.5).clip(0, 1) * (start + on - phase + 0.5).clip(0, 1))
+        cover += (phase - start + 0.5).clip(0, 1) * (start + on - phase + 0.5).clip(0, 1)
         start += on + off
     return cover
 
@@ -114,7 +114,7 @@ def trace(
 
 def _box(
     surface: pygame.Surface, x: float, y: float, reach: float
-) -> tuple[raster.NDArray[np.intp], raster.NDArray[np.intp], Floats, Floats]:
+) -> tuple[Indices, Indices, Floats, Floats]:
     """Return the pixels of a square around (x, y) and their offsets from it."""
     edge = int(reach + 2)
     square = pygame.Rect(int(x) - edge, int(y) - edge, 2 * edge + 1, 2 * edge + 1)
@@ -131,8 +131,8 @@ def _box(
 
 def _painted(
     surface: pygame.Surface,
-    x: raster.NDArray[np.intp],
-    y: raster.NDArray[np.intp],
+    x: Indices,
+    y: Indices,
     cover: Floats,
     colour: Colour,
 ) -> pygame.Rect:
@@ -169,12 +169,16 @@ def dot(
     return _painted(surface, x, y, (radius + 0.5 - np.hypot(dx, dy)).clip(0, 1) * alpha, colour)
 
 
-def ghost(surface: pygame.Surface, centre: tuple[float, float], radius: float, s: float) -> pygame.Rect:
+def ghost(
+    surface: pygame.Surface, centre: tuple[float, float], radius: float, s: float
+) -> pygame.Rect:
     """Draw the cue ball where it will be at the first contact."""
     return ring(surface, centre, radius, (255, 255, 255), 1.4 * s, 0.95, 0.16)
 
 
-def polygon(surface: pygame.Surface, points: Points, colour: Colour, alpha: float = 1.0) -> pygame.Rect:
+def polygon(
+    surface: pygame.Surface, points: Points, colour: Colour, alpha: float = 1.0
+) -> pygame.Rect:
     """Draw a convex polygon with smooth edges."""
     corners = np.asarray(points, np.float64)
     x, y = corners[:, 0], corners[:, 1]
@@ -186,7 +190,9 @@ def polygon(surface: pygame.Surface, points: Points, colour: Colour, alpha: floa
     cover = np.full(dx.shape, np.float32(alpha))
     for corner, step in zip(corners, ahead, strict=True):
         across = (dx + middle[0] - corner[0]) * step[1] - (dy + middle[1] - corner[1]) * step[0]
-        cover = np.minimum(cover, alpha * (0.5 - turn * across / max(hypot(*step), 1e-9)).clip(0, 1))
+        cover = np.minimum(
+            cover, alpha * (0.5 - turn * across / max(hypot(*step), 1e-9)).clip(0, 1)
+        )
     return _painted(surface, px, py, cover.astype(np.float32), colour)
 
 
@@ -210,7 +216,12 @@ def arrow(
 
 
 def departure(
-    surface: pygame.Surface, centre: tuple[float, float], angle: float, radius: float, colour: Colour, s: float
+    surface: pygame.Surface,
+    centre: tuple[float, float],
+    angle: float,
+    radius: float,
+    colour: Colour,
+    s: float,
 ) -> pygame.Rect:
     """Draw the arrow that says where a ball at `centre` leaves to; `angle` is on screen, radians."""
     reach = 3.4 * radius
@@ -240,7 +251,9 @@ def bounce(
     return rect.union(polyline(surface, ends, colour, 2 * s, alpha))
 
 
-def collision(surface: pygame.Surface, point: tuple[float, float], s: float, alpha: float = 1.0) -> pygame.Rect:
+def collision(
+    surface: pygame.Surface, point: tuple[float, float], s: float, alpha: float = 1.0
+) -> pygame.Rect:
     """Mark where two balls touched."""
     rect = dot(surface, point, 3.6 * s, HALO, 0.85 * alpha)
     return rect.union(dot(surface, point, 2.7 * s, (255, 255, 255), alpha))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from . import noise
+from .arrays import Floats
 from .layout import CUSHION, Layout
-from .noise import Floats
 from .theme import DIAMOND, DIAMOND_EDGE, DIAMOND_SHADE, WOOD
 
 CORNER = 0.050

@@ -12,19 +12,16 @@ from typing import NamedTuple
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
+from .arrays import Floats, Indices, Points
 from .theme import Colour
-
-Floats = NDArray[np.float32]
-Points = Sequence[tuple[float, float]]
 
 
 class Touched(NamedTuple):
     """Pixels beside a stroke, one entry a pixel and segment: all are 1-D and of equal length."""
 
-    x: NDArray[np.intp]
-    y: NDArray[np.intp]
+    x: Indices
+    y: Indices
     away: Floats
     """Distance from the stroke's middle line, px."""
     along: Floats
@@ -44,7 +41,9 @@ def touched(points: Points, reach: float, clip: pygame.Rect) -> Touched:
         np.concatenate(pair)
         for pair in zip(
             _beside(path[flat], step[flat], np.flatnonzero(flat), reach, (clip.x, clip.right)),
-            _transposed(path[~flat], step[~flat], np.flatnonzero(~flat), reach, (clip.y, clip.bottom)),
+            _transposed(
+                path[~flat], step[~flat], np.flatnonzero(~flat), reach, (clip.y, clip.bottom)
+            ),
             strict=True,
         )
     )
@@ -60,12 +59,12 @@ def touched(points: Points, reach: float, clip: pygame.Rect) -> Touched:
 
 
 def _beside(
-    path: NDArray[np.float64],
-    step: NDArray[np.float64],
-    names: NDArray[np.intp],
+    path: Floats,
+    step: Floats,
+    names: Indices,
     reach: float,
     limits: tuple[int, int],
-) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
+) -> tuple[Indices, Indices, Indices]:
     """Return x, y and segment of the pixels around segments no steeper than 45 degrees."""
     if not len(path):
         none = np.zeros(0, np.intp)
@@ -85,12 +84,12 @@ def _beside(
 
 
 def _transposed(
-    path: NDArray[np.float64],
-    step: NDArray[np.float64],
-    names: NDArray[np.intp],
+    path: Floats,
+    step: Floats,
+    names: Indices,
     reach: float,
     limits: tuple[int, int],
-) -> tuple[NDArray[np.intp], NDArray[np.intp], NDArray[np.intp]]:
+) -> tuple[Indices, Indices, Indices]:
     """Return the same for segments steeper than 45 degrees."""
     y, x, segment = _beside(path[:, ::-1], step[:, ::-1], names, reach, limits)
     return x, y, segment
@@ -99,7 +98,7 @@ def _transposed(
 _peaks: dict[int, Floats] = {}
 
 
-def peak(spot: NDArray[np.intp], alpha: Floats, size: int) -> Floats:
+def peak(spot: Indices, alpha: Floats, size: int) -> Floats:
     """Return for each entry the largest `alpha` of all entries at the same `spot` (0 to size - 1).
 
     Segments that share a pixel at a joint then do not paint it twice.
@@ -116,8 +115,8 @@ def peak(spot: NDArray[np.intp], alpha: Floats, size: int) -> Floats:
 
 def blend(
     surface: pygame.Surface,
-    x: NDArray[np.intp],
-    y: NDArray[np.intp],
+    x: Indices,
+    y: Indices,
     alpha: Floats,
     colour: Colour | Floats,
 ) -> pygame.Rect:

@@ -9,9 +9,8 @@ import pygame
 
 from . import cloth as cloths
 from . import lines, rails
+from .arrays import Floats, Points
 from .layout import BORDER, CUSHION, Layout
-from .noise import Floats
-from .raster import Points
 from .theme import BACKGROUND, CLOTHS, Colour, mix
 
 SIDES = ((1.06, 11), (0.90, 23), (0.97, 37), (1.0, 41))
@@ -48,7 +47,10 @@ def _floor_shadow(surface: pygame.Surface, layout: Layout) -> None:
     small = (max(2, box.w // 4), max(2, box.h // 4))
     x = (np.arange(small[0]) + 0.5) * box.w / small[0] - box.w / 2
     y = (np.arange(small[1]) + 0.5) * box.h / small[1] - box.h / 2
-    gap = [(np.abs(a) - side / 2 + 6).clip(0, None) for a, side in ((x, layout.table.w), (y, layout.table.h))]
+    gap = [
+        (np.abs(a) - side / 2 + 6).clip(0, None)
+        for a, side in ((x, layout.table.w), (y, layout.table.h))
+    ]
     away = np.hypot(gap[0][:, None], gap[1][None])
     shade = pygame.Surface(small, pygame.SRCALPHA, 32)
     fall = (1 - away / reach).clip(0, 1)
@@ -66,7 +68,11 @@ def _framed(layout: Layout, colour: Colour) -> Floats:
     picture[:, -depth:] = near
     for strip, corner in ((left[:, ::-1], 0), (right, box.w - depth)):
         target = picture[corner : corner + depth]
-        mask = _mitre(layout, depth)[..., None] if corner == 0 else _mitre(layout, depth)[::-1, :, None]
+        mask = (
+            _mitre(layout, depth)[..., None]
+            if corner == 0
+            else _mitre(layout, depth)[::-1, :, None]
+        )
         target += (strip.transpose(1, 0, 2) - target) * mask
     _corners(picture, layout, depth)
     rails.inlay(picture, layout, box.x, box.y)
@@ -80,13 +86,13 @@ def _side(layout: Layout, index: int, colour: Colour, depth: int) -> Floats:
     long = index < 2
     count = layout.table.w if long else layout.table.h
     soft = round(CUSHION * layout.scale) + 1
-    cushion = cloths.cushion(layout, count, soft, light, seed)[..., None] * np.array(colour, np.float32)
+    cushion = cloths.cushion(layout, count, soft, light, seed)[..., None] * np.array(
+        colour, np.float32
+    )
     wood = rails.board(layout, count, depth - soft, seed)
     strip = np.concatenate((cushion, wood), axis=1)
     x, y = cloths.axes(layout, *layout.table)
-    edge = np.float32([layout.width / 2 if index == 0 else -layout.width / 2])
-    if not long:
-        edge = np.float32([layout.length / 2])
+    edge = np.array([(layout.width if long else layout.length) / 2], np.float32)
     lamp = cloths.lamp(x, edge, layout) if long else cloths.lamp(edge, y, layout).T
     return np.asarray(strip * (0.80 + 0.34 * lamp)[..., None], np.float32)
 
@@ -134,7 +140,9 @@ def _spots(surface: pygame.Surface, layout: Layout, colour: Colour) -> None:
     """Mark the three spots on the long axis."""
     for x in (-layout.length / 4, 0.0, layout.length / 4):
         centre = layout.to_screen(x, 0)
-        lines.dot(surface, centre, max(1.1, 0.0045 * layout.scale), mix(colour, (0, 0, 0), 0.6), 0.7)
+        lines.dot(
+            surface, centre, max(1.1, 0.0045 * layout.scale), mix(colour, (0, 0, 0), 0.6), 0.7
+        )
 
 
 def _wall(surface: pygame.Surface, layout: Layout, wall: Points, colour: Colour) -> None:

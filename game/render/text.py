@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from io import BytesIO
+
 import numpy as np
 import pygame
 
@@ -26,7 +28,7 @@ def _font(px: int) -> pygame.font.Font:
     if not pygame.font.get_init():
         pygame.font.init()
     _DATA = _DATA or assets.stream(assets.FONT).getvalue()
-    return pygame.font.Font(assets.BytesIO(_DATA), px)
+    return pygame.font.Font(BytesIO(_DATA), px)
 
 
 class Type:
@@ -95,7 +97,9 @@ class Type:
     def _drawn(self, string: str, px: int, colour: Colour) -> pygame.Surface:
         if px >= SMALL:
             return self._sized(px).render(string, True, colour)
-        return _halved(self._sized(2 * px).render(string, True, colour), colour, self._ascent(2 * px))
+        return _halved(
+            self._sized(2 * px).render(string, True, colour), colour, self._ascent(2 * px)
+        )
 
 
 def _halved(large: pygame.Surface, colour: Colour, ascent: int) -> pygame.Surface:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from math import cos, hypot, sin, sqrt
 
 import numpy as np
-from numpy.typing import NDArray
+
+from .arrays import Floats
 
 Quaternion = tuple[float, float, float, float]
 """Scalar part first."""
@@ -40,7 +41,7 @@ def unit(q: Quaternion) -> Quaternion:
     return a, b, c, d
 
 
-def matrix(q: Quaternion) -> NDArray[np.float32]:
+def matrix(q: Quaternion) -> Floats:
     """Return the rotation matrix (3, 3) from the ball's own axes to the table's."""
     a, b, c, d = q
     return np.array(

@@ -1,0 +1,161 @@
+"""Input boxes, the primary button and the hint line in every state they can be in."""
+
+from __future__ import annotations
+
+import pygame
+
+from . import shapes, theme
+from .text import Type
+from .theme import Colour, mix
+
+STATES = ("idle", "hover", "focused", "invalid", "disabled")
+UNIT_COLUMN = 28
+SELECTION = mix(theme.PANEL_RAISED, theme.ACCENT, 0.20)
+
+
+def field(
+    surface: pygame.Surface,
+    rect: pygame.Rect,
+    type_: Type,
+    label: str,
+    value: str,
+    unit: str,
+    state: str = "idle",
+    caret: int | None = None,
+    selected: bool = False,
+    flash: bool = False,
+) -> pygame.Rect:
+    """Draw an input box and return its rectangle with the focus ring's room.
+
+    `state` is one of `STATES`; an invalid box that is being edited has a `caret` too.  `caret` is
+    its place in `value`; `selected` marks the whole value; `flash` lights the label for a moment.
+    """
+    s = type_.s
+    room = rect.inflate(2 * round(4 * s), 2 * round(4 * s))
+    surface.fill(theme.BACKGROUND, room)
+    border, tone, width = _edge(state)
+    shapes.box(surface, rect, s, theme.PANEL_RAISED, border, width, ring=state == "focused")
+    name = theme.ACCENT if flash or state == "focused" else tone
+    type_.draw(surface, label, (rect.x + 12 * s, rect.y + 18 * s), 12, name)
+    baseline = rect.y + 39 * s
+    right = rect.right - round(12 * s)
+    type_.draw(surface, unit, (right, baseline), 13, theme.TEXT_SOFT, "right")
+    room_left = rect.x + round(12 * s)
+    room_right = right - round((UNIT_COLUMN + 8) * s)
+    window = pygame.Rect(room_left, rect.y + round(20 * s), room_right - room_left, round(28 * s))
+    ink = {"invalid": theme.ERROR, "disabled": theme.TEXT_SOFT}.get(state, theme.TEXT)
+    _value(surface, window, type_, value, baseline, ink, caret, selected)
+    return room
+
+
+def _edge(state: str) -> tuple[Colour, Colour, float]:
+    """Return the border, the label's colour and the border's width (px at s = 1) of a state."""
+    if state == "focused":
+        return theme.ACCENT, theme.ACCENT, 2.0
+    if state == "invalid":
+        return theme.ERROR, theme.ERROR, 2.0
+    if state == "hover":
+        return theme.TEXT_SOFT, theme.TEXT_SOFT, 1.0
+    if state == "disabled":
+        return theme.LINE_TRACK, theme.TEXT_FAINT, 1.0
+    return theme.LINE_INPUT, theme.TEXT_SOFT, 1.0
+
+
+def _value(
+    surface: pygame.Surface,
+    window: pygame.Rect,
+    type_: Type,
+    value: str,
+    baseline: float,
+    ink: Colour,
+    caret: int | None,
+    selected: bool,
+) -> None:
+    """Draw the value right-aligned in `window`, scrolled so that the caret stays visible."""
+    s = type_.s
+    total = type_.width(value, 20)
+    place = type_.width(value[: caret or 0], 20)
+    left = window.right - total
+    if caret is not None and left + place < window.x:
+        left = window.x - place
+    clip = surface.get_clip()
+    surface.set_clip(window.inflate(round(8 * s), 0).clip(clip))
+    if selected:
+        block = pygame.Rect(left, 0, total, round(22 * s)).inflate(round(6 * s), 0)
+        block.centery = round(baseline - type_.cap(20) / 2)
+        shapes.box(surface, block, s, SELECTION, SELECTION, radius=3)
+    type_.draw(surface, value, (left, baseline), 20, ink)
+    if caret is not None:
+        line = pygame.Rect(left + place, 0, max(1, round(1.5 * s)), round(22 * s))
+        line.centery = round(baseline - type_.cap(20) / 2)
+        surface.fill(theme.ACCENT, line)
+    surface.set_clip(clip)
+
+
+def caret_at(rect: pygame.Rect, type_: Type, value: str, x: float) -> int:
+    """Return the place in `value` nearest to the screen's `x`, for a click into an unscrolled box."""
+    left = rect.right - round(12 * type_.s) - round((UNIT_COLUMN + 8) * type_.s)
+    left -= type_.width(value, 20)
+    return min(range(len(value) + 1), key=lambda i: abs(left + type_.width(value[:i], 20) - x))
+
+
+def button(
+    surface: pygame.Surface,
+    rect: pygame.Rect,
+    type_: Type,
+    label: str,
+    key: str = "",
+    state: str = "idle",
+) -> pygame.Rect:
+    """Draw the primary button; `state` is "idle", "hover", "pressed" or "disabled"."""
+    s = type_.s
+    fill, border, ink = _button_colours(state)
+    surface.fill(theme.BACKGROUND, rect)
+    shapes.box(surface, rect, s, fill, border)
+    gap = round(12 * s) if key else 0
+    cap = type_.width(key, 12) + round(12 * s) if key else 0
+    left = rect.centerx - (type_.width(label, 18) + gap + cap) // 2
+    baseline = rect.centery + type_.cap(18) / 2
+    text = type_.draw(surface, label, (left, baseline), 18, ink)
+    if key:
+        outline = pygame.Rect(text.right + gap, 0, cap, round(21 * s))
+        outline.centery = rect.centery
+        shapes.box(surface, outline, s, fill, mix(fill, ink, 0.75), radius=4)
+        middle = (outline.centerx, outline.centery + type_.cap(12) / 2)
+        type_.draw(surface, key, middle, 12, ink, "centre")
+    return rect
+
+
+def _button_colours(state: str) -> tuple[Colour, Colour, Colour]:
+    """Return fill, border and ink."""
+    if state == "disabled":
+        return theme.PANEL_RAISED, theme.LINE, theme.TEXT_FAINT
+    if state == "hover":
+        return mix(theme.PRIMARY, theme.WHITE, 0.08), theme.ACCENT, theme.WHITE
+    if state == "pressed":
+        return mix(theme.PRIMARY, theme.BACKGROUND, 0.25), theme.PRIMARY_EDGE, theme.WHITE
+    return theme.PRIMARY, theme.PRIMARY_EDGE, theme.WHITE
+
+
+def hint(
+    surface: pygame.Surface, rect: pygame.Rect, type_: Type, string: str, error: bool = False
+) -> pygame.Rect:
+    """Draw the line of help, or of an error with its sign."""
+    s = type_.s
+    surface.fill(theme.BACKGROUND, rect)
+    shapes.box(surface, rect, s, border=theme.ERROR if error else theme.LINE)
+    left = rect.x + round(12 * s)
+    if error:
+        centre = (left + round(1 * s), rect.centery)
+        shapes.disc(surface, centre, 6.5 * s, theme.ERROR)
+        baseline = rect.centery + type_.cap(11) / 2
+        type_.draw(surface, "!", (centre[0] + 0.5, baseline), 11, theme.PANEL, "centre")
+        left += round(12 * s)
+    ink = theme.ERROR if error else theme.TEXT_SOFT
+    type_.draw(surface, string, (left, rect.centery + type_.cap(13) / 2), 13, ink)
+    return rect
+
+
+def hint_room(rect: pygame.Rect, s: float) -> int:
+    """Return the width an error may have, px: a hint has 12 s more."""
+    return rect.w - round(36 * s)
