@@ -1,7 +1,5 @@
 """Billiards, exact: balls, walls and laws on a cloth; `docs/tour.py` shows it in a page."""
 
-from typing import TYPE_CHECKING, Any
-
 from . import laws, scenes, tables
 from .ball import Ball
 from .cloth import Cloth
@@ -13,6 +11,6 @@ from .wall import Wall
 from .world import World, simulate
 
 __all__ = [
-    "Ball", "Cloth", "Event", "EventBudgetError", "EventDriven", "Leg", "Log", "Shot", "State", "Wall",
-    "World", "laws", "scenes", "simulate", "tables", "trace",
+    "Ball", "Cloth", "Event", "EventBudgetError", "EventDriven", "Leg", "Log", "Shot", "State",
+    "Wall", "World", "laws", "scenes", "simulate", "tables", "trace",
 ]  # fmt: skip

@@ -15,7 +15,7 @@ _values = attrgetter(*Body.__slots__)
 
 
 class Clock:
-    """The moment that the balls of a world share: `now` seconds after `epoch`, and on what cloth."""
+    """The moment that the balls of a world share, `now` seconds after `epoch`; and their cloth."""
 
     __slots__ = ("cloth", "disturbed", "epoch", "moved", "now")
 
@@ -37,8 +37,8 @@ class Ball:
     """A ball on the table.
 
     at and velocity are (x, y) in m and m/s, spin (wx, wy, wz) in rad/s, radius in m, mass in kg.
-    position, velocity and spin can be read and assigned at any moment; the world takes it from there.
-    ValueError, naming the ball and the value, for anything not finite or not positive.
+    position, velocity and spin can be read and assigned at any moment; the world takes it from
+    there. ValueError, naming the ball and the value, for anything not finite or not positive.
     """
 
     __slots__ = ("_body", "_clock", "name")
@@ -57,9 +57,9 @@ class Ball:
         self._body = Body(
             positive(f"ball {name!r}: radius", radius), positive(f"ball {name!r}: mass", mass)
         )
-        self.position = at  # type: ignore[assignment]
-        self.velocity = velocity  # type: ignore[assignment]
-        self.spin = spin  # type: ignore[assignment]
+        self.position = at
+        self.velocity = velocity
+        self.spin = spin
 
     def __repr__(self) -> str:
         return f"Ball({self.name!r}, at={self.position}, {self.phase})"

@@ -10,8 +10,8 @@ from .kernel.body import Felt
 class Cloth:
     """Coefficients of a cloth (docs/physics.md, "Cloth").
 
-    slide: friction μ_s of a sliding ball; roll: resistance μ_r of a rolling one; spin_decay: loss of
-    the spin about the vertical, α_z in rad/s²; gravity in m/s². Each finite and not negative, or
+    slide: friction μ_s of a sliding ball; roll: resistance μ_r of a rolling one; spin_decay: loss
+    of the spin about the vertical, α_z in rad/s²; gravity in m/s². Each finite and not negative, or
     ValueError.
     """
 

@@ -23,7 +23,7 @@ class Engine(Protocol):
         """Take in that somebody has put or pushed these balls just now."""
 
     def advance(self, world: "World", until: float) -> float:
-        """All that happens up to world time `until`; returns the time reached, from the epoch on."""
+        """All that happens up to world time `until`; returns how long after the epoch it came."""
 
 
 class EventBudgetError(RuntimeError):
@@ -86,7 +86,9 @@ class EventDriven:
 def _note_cluster(world: "World", time: float, contacts: int) -> None:
     ties = world.scene.ties
     pairs = [
-        (ties.first[c], ties.second[c], ties.total[c]) for c in range(contacts) if ties.total[c] > 0.0
+        (ties.first[c], ties.second[c], ties.total[c])
+        for c in range(contacts)
+        if ties.total[c] > 0.0
     ]
     members = sorted({ball for c in range(contacts) for ball in (ties.first[c], ties.second[c])})
     for i in members:

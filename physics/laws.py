@@ -4,8 +4,8 @@ A law may also be any callable. A cushion law takes (v, roll, side) of the ball,
 x = 0 and the table at x > 0, and returns the three after the hit. A ball law takes the first ball's
 relative velocity, the two balls' summed roll and side, and their reduced mass, with the second ball
 towards +x, and returns (push, rub): the impulse along the line of centres, and the one across it as
-(along the table) + i (upward) on the first ball; the engine applies them equal and opposite. All are
-complex numbers in m/s; roll is -i R ω, side is R ω_z; impulses in N s.
+(along the table) + i (upward) on the first ball; the engine applies them equal and opposite. All
+are complex numbers in m/s; roll is -i R ω, side is R ω_z; impulses in N s.
 """
 
 from collections.abc import Callable
@@ -192,7 +192,8 @@ def cushion_law(law: "str | CushionLaw") -> CushionLaw:
     names: dict[str, Callable[[], CushionLaw]] = {
         "rigid": RigidCushion, "thesis": ThesisCushion, "capped": CappedCushion
     }  # fmt: skip
-    return _law("cushion law", law, names)
+    found: CushionLaw = _law("cushion law", law, names)
+    return found
 
 
 def ball_law(law: "str | BallLaw") -> BallLaw:
@@ -200,13 +201,15 @@ def ball_law(law: "str | BallLaw") -> BallLaw:
     names: dict[str, Callable[[], BallLaw]] = {
         "smooth": SmoothBall, "rough": RoughBall, "thesis": ThesisBall
     }  # fmt: skip
-    return _law("ball law", law, names)
+    found: BallLaw = _law("ball law", law, names)
+    return found
 
 
 def _law(what: str, law: Any, names: dict[str, Callable[[], Any]]) -> Any:
     if isinstance(law, str):
         if law not in names:
-            raise ValueError(f"unknown {what} {law!r}: one of {', '.join(sorted(names))}, or a callable")
+            known = ", ".join(sorted(names))
+            raise ValueError(f"unknown {what} {law!r}: one of {known}, or a callable")
         return names[law]()
     if isinstance(law, type) or not (callable(law) or isinstance(law, ThesisBall)):
         raise ValueError(f"{what} must be a name, a law or a callable, not {law!r}")
@@ -222,8 +225,10 @@ def cushion_rule(law: CushionLaw, parting: float) -> Rule:
 
 def ball_rule(law: BallLaw, parting: float) -> Rule:
     """The law as the kernel wants it."""
-    named = isinstance(law, _BallLaw | ThesisBall)
-    rule = law.rule() if named else ForeignRule(kernel.FOREIGN_BALL, law)  # type: ignore[union-attr,arg-type]
+    if isinstance(law, _BallLaw | ThesisBall):
+        rule = law.rule()
+    else:
+        rule = ForeignRule(kernel.FOREIGN_BALL, law)
     rule.parting = parting
     return rule
 

@@ -4,7 +4,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple, overload
 
-from .kernel.body import Body, Felt
+from .kernel.body import Body
 from .kernel.calendar import CUSHION, PAIR, PHASE
 from .kernel.motion import RESTING, ROLLING, faded, length
 from .wall import Wall
@@ -52,22 +52,23 @@ class Leg(NamedTuple):
 
     def state(self) -> State:
         """Where it begins and how."""
-        p, v, roll, r = self.position, self.velocity, self.roll, self.radius
-        return State((p.real, p.imag), (v.real, v.imag), (-roll.imag / r, roll.real / r, self.side / r))
+        p, v, w, r = self.position, self.velocity, self.roll / self.radius, self.radius
+        return State((p.real, p.imag), (v.real, v.imag), (-w.imag, w.real, self.side / r))
 
     def energy(self, mass: float) -> float:
         """Kinetic energy of moving and turning, J."""
         v, w, side = length(self.velocity), length(self.roll), self.side
-        return mass * (0.5 * v * v + 0.2 * (w * w + side * side))
+        return float(mass * (0.5 * v * v + 0.2 * (w * w + side * side)))
 
 
 class Event(NamedTuple):
     """One thing that happened.
 
-    time s; kind "roll", "rest", "cushion" or "ball"; balls: names; wall: name, or None; point: (x, y)
-    of the contact (of the centre, where nothing touched), m; before and after: a State for each ball;
-    closing: speed along the contact's normal before, m/s; impulse: N s; energy_lost: J, in a cluster of
-    contacts their common loss shared by impulse. Events of one instant have the same time.
+    time s; kind "roll", "rest", "cushion" or "ball"; balls: names; wall: name, or None; point: (x,
+    y) of the contact (of the centre, where nothing touched), m; before and after: a State for each
+    ball; closing: speed along the contact's normal before, m/s; impulse: N s; energy_lost: J, in a
+    cluster of contacts their common loss shared by impulse. Events of one instant have the same
+    time.
     """
 
     time: float
@@ -107,8 +108,8 @@ class Log(Sequence[Event]):
     def begin(self, i: int, epoch: float, body: Body, fade: float) -> None:
         """Ball i is on a new leg."""
         self._legs[i].append(
-            (epoch, body.since, body.position, body.velocity, body.acceleration, body.roll, body.side,
-             body.phase, body.radius, fade)
+            (epoch, body.since, body.position, body.velocity, body.acceleration, body.roll,
+             body.side, body.phase, body.radius, fade)
         )  # fmt: skip
 
     def knows(self, i: int) -> bool:
@@ -119,10 +120,15 @@ class Log(Sequence[Event]):
         """Ball i has ended a phase, met wall `other` or met ball `other`; new legs have begun."""
         legs = self._legs
         j = other if kind == PAIR else i
-        self._events.append((epoch, time, kind, other, i, len(legs[i]) - 1, j, len(legs[j]) - 1, None))
+        begun = i, len(legs[i]) - 1, j, len(legs[j]) - 1
+        self._events.append((epoch, time, kind, other, *begun, None))
 
     def note_cluster(
-        self, epoch: float, time: float, pairs: Sequence[tuple[int, int, float]], members: Sequence[int]
+        self,
+        epoch: float,
+        time: float,
+        pairs: Sequence[tuple[int, int, float]],
+        members: Sequence[int],
     ) -> None:
         """Contacts (ball, ball, impulse) of one instant among the members; new legs have begun."""
         last = tuple((m, len(self._legs[m]) - 1) for m in members)
@@ -194,7 +200,9 @@ class Log(Sequence[Event]):
     def _turn(self, i: int, leg: int, epoch: float, time: float) -> tuple[Leg, Leg]:
         """The end of the leg before, and the leg."""
         before = Leg(*self._legs[i][max(leg - 1, 0)])
-        return before.after((epoch - before.epoch) + (time - before.since)), Leg(*self._legs[i][leg])
+        return before.after((epoch - before.epoch) + (time - before.since)), Leg(
+            *self._legs[i][leg]
+        )
 
     def _lost(self, i: int, turn: tuple[Leg, Leg]) -> float:
         return turn[0].energy(self._masses[i]) - turn[1].energy(self._masses[i])
@@ -205,7 +213,8 @@ class Log(Sequence[Event]):
     ) -> Event:  # fmt: skip
         first = self._turn(i, leg_i, epoch, time)
         lost = self._lost(i, first)
-        names, turns = (self.names[i],), (first,)
+        names: tuple[str, ...] = (self.names[i],)
+        turns: tuple[tuple[Leg, Leg], ...] = (first,)
         point, normal = first[1].position, 0j
         wall = None
         if kind == CUSHION:
@@ -221,7 +230,8 @@ class Log(Sequence[Event]):
         closing = (normal.conjugate() * first[0].velocity).real
         if kind == PAIR:
             closing -= (normal.conjugate() * second[0].velocity).real
-        impulse = 0.0 if kind == PHASE else self._masses[i] * length(first[1].velocity - first[0].velocity)
+        kick = first[1].velocity - first[0].velocity
+        impulse = 0.0 if kind == PHASE else self._masses[i] * length(kick)
         if shared is not None:
             impulse, share, members = shared
             lost = share * sum(self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members)

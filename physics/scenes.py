@@ -12,7 +12,7 @@ R = tables.THESIS.radius
 
 
 def thesis_1() -> World:
-    """The thesis's massé: spin against the motion bends the path backwards (V 2, WxR -10, WyR 5)."""
+    """The thesis's massé: spin against the motion bends the path back (V 2, WxR -10, WyR 5)."""
     world = tables.thesis()
     world.add(Ball("white", at=(-1.0, 0.5)))
     world.strike("white", Shot(2.0, follow=-10.0, masse=5.0))
@@ -59,8 +59,8 @@ def carom() -> World:
     """Four balls, all at rest, waiting for a shot at the white."""
     world = tables.medium_carom()
     for name, at in (
-        ("white", (-0.6, 0.0)), ("yellow", (0.6, 0.01)), ("red", (-0.2, 0.3)), ("red 2", (0.3, -0.3))
-    ):  # fmt: skip
+        ("white", (-0.6, 0.0)), ("yellow", (0.6, 0.01)), ("red", (-0.2, 0.3)), ("red 2", (0.3,
+    -0.3)) ):  # fmt: skip
         world.add(Ball(name, at=at))
     return world
 
@@ -91,5 +91,6 @@ def cradle(balls: int = 5, angle: float = 0.0) -> World:
 
 
 SCENES: dict[str, Callable[[], World]] = {
-    scene.__name__: scene for scene in (thesis_1, thesis_2, thesis_3a, thesis_3b, single, carom, rack15, cradle)
+    scene.__name__: scene
+    for scene in (thesis_1, thesis_2, thesis_3a, thesis_3b, single, carom, rack15, cradle)
 }

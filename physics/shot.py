@@ -17,11 +17,13 @@ def direction(degrees: float) -> complex:
 
 @dataclass(frozen=True, slots=True)
 class Shot:
-    """What the cue gives the ball: speed V in m/s, angle in degrees, and three surface speeds in m/s.
+    """What the cue gives the ball: speed V in m/s, angle in degrees, and three surface speeds in
+    m/s.
 
     follow (Wx·R) spins about the horizontal axis left of the direction of travel, + runs after the
-    ball, - draws it back; masse (Wy·R) about the direction of travel; side (Wz·R) about the vertical,
-    + left, anticlockwise from above. ValueError unless all are finite and the speed is above zero.
+    ball, - draws it back; masse (Wy·R) about the direction of travel; side (Wz·R) about the
+    vertical, + left, anticlockwise from above. ValueError unless all are finite and the speed is
+    above zero.
     """
 
     speed: float

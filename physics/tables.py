@@ -1,4 +1,4 @@
-"""Tables to play on: playing surface, balls, cloth and laws in one preset (sources in docs/physics.md)."""
+"""Tables to play on: playing surface, balls, cloth and laws (sources in docs/physics.md)."""
 
 from dataclasses import dataclass
 

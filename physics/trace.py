@@ -16,7 +16,8 @@ def trace(
 ) -> "tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]":
     """times (T,) s and paths (T, balls, 2) m over the whole log, `rate` samples a second.
 
-    Exact at every sample. The last sample is the first at or after now: at rest, where the balls lie.
+    Exact at every sample. The last sample is the first at or after now: at rest, where the balls
+    lie.
     """
     import numpy as np
 
@@ -33,7 +34,10 @@ def trace(
 def _path(legs: Any, times: Any, np: Any) -> Any:
     begins = np.array([leg.time for leg in legs])
     k = np.maximum(np.searchsorted(begins, times, side="right") - 1, 0)
-    p, v, a = (np.array([getattr(leg, what) for leg in legs])[k] for what in ("position", "velocity", "acceleration"))
+    p, v, a = (
+        np.array([getattr(leg, what) for leg in legs])[k]
+        for what in ("position", "velocity", "acceleration")
+    )
     t = np.maximum(times - begins[k], 0.0)
     place = p + t * (v + 0.5 * t * a)
     return np.stack((place.real, place.imag), axis=1)

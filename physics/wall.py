@@ -9,7 +9,8 @@ from .kernel.motion import length
 
 @dataclass(frozen=True, slots=True)
 class Wall:
-    """Balls are where (conj(normal) * p).real > offset; make one with `Wall.line` or `Wall.through`.
+    """Balls are where (conj(normal) * p).real > offset; make one with `Wall.line` or
+    `Wall.through`.
 
     normal: inward unit normal as a complex number; offset in metres.
     """
@@ -21,7 +22,9 @@ class Wall:
     @classmethod
     def line(cls, a: float, b: float, d: float, name: str | None = None) -> "Wall":
         """The line a x + b y + d = 0 with the balls where it is positive: the thesis's equation."""
-        a, b, d = (finite(f"Wall.line {key}", value) for key, value in zip("abd", (a, b, d), strict=True))
+        a, b, d = (
+            finite(f"Wall.line {key}", value) for key, value in zip("abd", (a, b, d), strict=True)
+        )
         size = length(complex(a, b))
         if size == 0.0:
             raise ValueError(f"Wall.line a and b must not both be zero, not {a!r}, {b!r}")

@@ -22,8 +22,8 @@ Thing = TypeVar("Thing", Ball, Wall)
 class World:
     """Balls inside walls on a cloth, laws for what happens when they touch, an engine and a log.
 
-    ball_law and cushion_law: a law of `physics.laws`, its name, or any callable (see there). All can
-    be read and assigned at any moment. What cannot be raises ValueError and changes nothing.
+    ball_law and cushion_law: a law of `physics.laws`, its name, or any callable (see there). All
+    can be read and assigned at any moment. What cannot be raises ValueError and changes nothing.
     """
 
     def __init__(
@@ -156,7 +156,7 @@ class World:
 
     @property
     def epoch(self) -> float:
-        """When somebody last set balls in motion that all lay still, seconds; events count from it."""
+        """When balls that all lay still were last set in motion, s; events count from then."""
         return self._clock.epoch
 
     @property
@@ -189,7 +189,7 @@ class World:
             body.velocity, body.roll, body.side = 0j, 0j, 0.0
 
     def step(self, dt: float) -> None:
-        """Let dt seconds pass: n steps of dt / n, whatever n, lead to the same rest, bit for bit."""
+        """Let dt seconds pass; n steps of dt / n lead to the same rest, bit for bit, for any n."""
         clock = self._clock
         nonnegative("World.step dt", dt)
         if clock.disturbed:
@@ -200,9 +200,9 @@ class World:
         clock.now = now
 
     def run(self, until: float = inf) -> None:
-        """Let time pass until all balls rest, or until world time `until`, seconds, which is included."""
+        """Let time pass till all balls rest, or till world time `until`, s, that included."""
         if isnan(until) or until < self.time:
-            raise ValueError(f"World.run until must not be before now, {self.time!r}, but is {until!r}")
+            raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
         self._look()
         reached = self._engine.advance(self, until)
         self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
@@ -276,7 +276,10 @@ class World:
 
 
 def simulate(world: World, ball: Ball | str, shot: Shot) -> World:
-    """A copy of the world after the shot, all at rest; its log holds the shot.  The world stays as it is."""
+    """A copy of the world, after the shot, all at rest; its log holds the shot.
+
+    ball is one of the world's, or its name. The world itself stays as it is.
+    """
     world._look()
     after = world._fork(world.log.fresh())
     after.strike(ball, shot)

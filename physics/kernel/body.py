@@ -1,4 +1,4 @@
-"""What the kernel works on: records, slot objects when interpreted, rows of arrays when compiled."""
+"""What the kernel works on: records, objects when interpreted, rows of arrays when compiled."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
@@ -44,7 +44,7 @@ class Line:
 
 @dataclass(slots=True, eq=False)
 class Felt:
-    """The cloth: decelerations of a sliding and of a rolling ball, m/s², and the loss of ω_z, rad/s²."""
+    """The cloth: decelerations of sliding and rolling balls, m/s², and the loss of ω_z, rad/s²."""
 
     slide: float
     roll: float
@@ -95,7 +95,9 @@ def ties(balls: int) -> Ties:
     """Room for as many contacts as discs on a table can have: three a ball."""
     pairs = 3 * balls
     whole, real = [0] * pairs, [0.0] * pairs
-    return Ties([0] * balls, whole, whole[:], whole[:], real, real[:], real[:], [0j] * pairs, real[:])
+    return Ties(
+        [0] * balls, whole, whole[:], whole[:], real, real[:], real[:], [0j] * pairs, real[:]
+    )
 
 
 def rows(items: Sequence[Any]) -> Any:

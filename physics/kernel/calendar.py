@@ -40,7 +40,12 @@ def reach(ball, p, v, a, lasts):
     """The box that the ball sweeps on its leg: the whole plane if the leg never ends."""
     r = ball.radius
     if ball.phase == RESTING:
-        ball.west, ball.east, ball.south, ball.north = p.real - r, p.real + r, p.imag - r, p.imag + r
+        ball.west, ball.east, ball.south, ball.north = (
+            p.real - r,
+            p.real + r,
+            p.imag - r,
+            p.imag + r,
+        )
     elif lasts == inf:
         ball.west, ball.east, ball.south, ball.north = -inf, inf, -inf, inf
     else:
@@ -82,7 +87,12 @@ def plan_meetings(i, balls, meetings):
             continue
         other = balls[j]
         when = inf
-        if other.west <= east and other.east >= west and other.south <= north and other.north >= south:
+        if (
+            other.west <= east
+            and other.east >= west
+            and other.south <= north
+            and other.north >= south
+        ):
             when = meeting(ball, other)
         meetings[n * i + j] = meetings[n * j + i] = when
         if when < other.meets or other.partner == i:
@@ -94,7 +104,7 @@ def plan_meetings(i, balls, meetings):
 
 @kernel
 def appoint(j, i, when, balls, meetings):
-    """Ball j learns when it will meet ball i; and whom it meets first, now that this has changed."""
+    """Ball j learns when it will meet ball i, and whom it meets first now."""
     ball = balls[j]
     if when < ball.meets:
         ball.meets, ball.partner = when, i

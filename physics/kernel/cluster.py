@@ -1,10 +1,21 @@
 """Several contacts at one instant: who is in them, and what becomes of them.
 
-The contacts of a cluster that close fastest, to 1e-9, are solved together, the others wait; again and
-again until none closes. So a symmetric rack stays symmetric, and a cradle passes its blow on in line.
+The contacts of a cluster that close fastest, to 1e-9, are solved together, the others wait; again
+and again until none closes. So a symmetric rack stays symmetric, and a cradle passes its blow on
+in line.
 """
 
-from .laws import FOREIGN_BALL, SMOOTH_BALL, THESIS_BALL, friction, grip, hit_ball, press, rebound, toward
+from .laws import (
+    FOREIGN_BALL,
+    SMOOTH_BALL,
+    THESIS_BALL,
+    friction,
+    grip,
+    hit_ball,
+    press,
+    rebound,
+    toward,
+)
 from .motion import carry, length, place
 from .subset import complex, kernel
 
@@ -36,7 +47,7 @@ def crowded(i, j, time, balls):
 
 @kernel
 def gather(i, j, time, balls, cloth, ties):
-    """All that hangs together with balls i and j: (balls in ties.member, contacts in ties.first)."""
+    """All that hangs together with balls i and j: (how many balls, how many contacts)."""
     member, first, second = ties.member, ties.first, ties.second
     member[0], member[1] = i, j
     first[0], second[0] = i, j
@@ -125,7 +136,9 @@ def together(chosen, balls, rule, ties):
 @kernel
 def slip_between(a, b, line):
     turn = line.conjugate()
-    return complex((turn * (a.velocity - b.velocity)).imag + a.side + b.side, -(turn * (a.roll + b.roll)).real)
+    return complex(
+        (turn * (a.velocity - b.velocity)).imag + a.side + b.side, -(turn * (a.roll + b.roll)).real
+    )
 
 
 @kernel

@@ -1,7 +1,8 @@
 """What a collision does.
 
-A cushion law sees the wall as the line x = 0 with the table at x > 0, a ball law sees the second ball
-in the direction +x: the caller turns the picture there and back. A complex rub is (along, upward).
+A cushion law sees the wall as the line x = 0 with the table at x > 0, a ball law sees the second
+ball in the direction +x: the caller turns the picture there and back. A complex rub is (along,
+upward).
 """
 
 MATHAVAN_SOON = None
@@ -56,7 +57,11 @@ def capped_cushion(v, roll, side, rule):
     push = rebound(-v.real, rule)
     slip = v.imag + height * roll.imag - level * side
     rub = friction(complex(slip, 0.0), rule.friction * push, 3.5).real
-    return v + complex(push, rub), roll + complex(push, 2.5 * height * rub), side - 2.5 * level * rub
+    return (
+        v + complex(push, rub),
+        roll + complex(push, 2.5 * height * rub),
+        side - 2.5 * level * rub,
+    )
 
 
 @kernel

@@ -1,7 +1,8 @@
 """What the kernel is written in: a subset of Python that numba compiles as it stands.
 
-This is the interpreted binding. `physics.compiled` loads the same package a second time with another
-module in this place, in which `kernel` is numba's compiler; a test does so with 50-digit numbers.
+This is the interpreted binding. `physics.compiled` loads the same package a second time with
+another module in this place, in which `kernel` is numba's compiler; a test does so with 50-digit
+numbers.
 """
 
 from builtins import complex as complex
