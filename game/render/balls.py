@@ -166,6 +166,11 @@ class BallSprites:
             kept = self._sprites[index] = (key, picture)
         return kept[1], ((left - half[0]) // 2, (top - half[1]) // 2)
 
+    def portrait(self, index: int) -> pygame.Surface:
+        """Return a ball as it is racked in the middle of the table, for plates and lists."""
+        look, turn = self.looks[index], matrix(_racked(index))
+        return self._painter.sprite(self._shades[index], look.banded, turn, (0.0, 0.0), (0, 0))
+
     def shadow(self, surface: pygame.Surface, at: tuple[float, float]) -> pygame.Rect:
         """Draw the shadow of a ball at `at` (m), thrown away from the lamps."""
         x, y = self.layout.to_screen(*at)
@@ -205,5 +210,5 @@ class BallSprites:
 
 
 def _racked(index: int) -> Quaternion:
-    """Return the first orientation of a ball: not the same for all."""
-    return turned(unit(RACKED), (0.3, 0.5, 0.81), 1.3 * index)
+    """Return the first orientation of a ball: seen from above, each is turned another way."""
+    return turned(unit(RACKED), (0.0, 0.0, 1.0), 0.5 - 0.9 * (index % 3))

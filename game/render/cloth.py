@@ -7,7 +7,6 @@ import numpy as np
 from . import noise
 from .arrays import Floats
 from .layout import CUSHION, Layout
-from .theme import Colour
 
 
 def lamp(x: Floats, y: Floats, layout: Layout) -> Floats:
@@ -38,15 +37,15 @@ def _shade(distance: Floats) -> Floats:
     return np.asarray(1 - 0.42 * np.exp(-d / 0.010) - 0.16 * np.exp(-d / 0.045), np.float32)
 
 
-def bed(layout: Layout, colour: Colour) -> Floats:
-    """Return the bed (width, height, 3), 0 to 255, of the rectangle `layout.bed`."""
+def bed(layout: Layout) -> Floats:
+    """Return the light (width, height), 1 for the cloth's own colour, of the rectangle `layout.bed`."""
     box = layout.bed
     x, y = axes(layout, *box)
     light = 0.60 + 0.49 * lamp(x, y, layout)
     light *= (_shade(layout.length / 2 - np.abs(x)))[:, None]
-    light *= _shade(layout.width / 2 - y) * (0.45 + 0.55 * _shade(y + layout.width / 2))
+    light *= _shade(layout.width / 2 - y) * (0.22 + 0.78 * _shade(y + layout.width / 2))
     light *= 1 + texture(layout, box.w, box.h)
-    return light[..., None] * np.array(colour, np.float32)
+    return np.asarray(light, np.float32)
 
 
 def texture(layout: Layout, width: int, height: int) -> Floats:
@@ -59,17 +58,17 @@ def texture(layout: Layout, width: int, height: int) -> Floats:
     return np.asarray(total + np.float32(0.006) * wide, np.float32)
 
 
-def cushion(layout: Layout, count: int, depth: int, side: float, seed: int) -> Floats:
-    """Return the light (count, depth) of a cushion, from its nose to the wood.
+def cushion(layout: Layout, count: int, away: Floats, side: float, seed: int) -> Floats:
+    """Return the light (count, len(away)) of a cushion at `away` px from its nose line.
 
-    `side` is how much light falls on this one.
+    `side` is how much light falls on this one: a dark nose, a lit shoulder, a fall to the wood.
     """
-    u = (np.arange(depth, dtype=np.float32) + 0.5) / np.float32(CUSHION * layout.scale)
-    bump = 0.30 * np.exp(-(((u - 0.16) / 0.11) ** 2))
-    fall = 1.02 - 0.24 * u.clip(0, 1) ** 1.2
-    nose = 0.34 * np.exp(-((u / 0.055) ** 2))
-    crease = 0.30 * np.exp(-(((u - 1.0) / 0.07) ** 2))
-    profile = (fall + bump - nose - crease).astype(np.float32) * side
+    u = away / np.float32(CUSHION * layout.scale)
+    shoulder = 0.27 * np.exp(-(((u - 0.17) / 0.10) ** 2))
+    fall = 0.86 - 0.20 * u.clip(0, 1)
+    nose = 0.34 * np.exp(-((u.clip(0, None) / 0.07) ** 2))
+    crease = 0.34 * np.exp(-(((u - 1.0) / 0.06) ** 2))
+    profile = (fall + shoulder - nose - crease).astype(np.float32) * side
     s = layout.s
-    grain = noise.smooth(count, depth, (7 * s, 1.4 * s), seed) * 0.012
+    grain = noise.smooth(count, len(away), (7 * s, 1.4 * s), seed) * 0.012
     return np.asarray(profile[None] * (1 + grain), np.float32)

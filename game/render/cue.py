@@ -108,8 +108,8 @@ def _wood(metres: Floats, across: Floats) -> Floats:
     base = _points(base, metres, across)
     round_ = np.sqrt((1 - (across - 0.25) ** 2 * 0.62).clip(0, 1))
     shine = np.exp(-(((across - 0.38) / 0.20) ** 2))[:, None]
-    lit = base * (0.30 + 0.80 * round_[:, None] ** 2)
-    return np.asarray((lit + shine * (38 + 0.16 * base)).clip(0, 255), np.float32)
+    lit = base * (0.34 + 0.70 * round_[:, None] ** 2)
+    return np.asarray((lit + shine * (14 + 0.13 * base)).clip(0, 255), np.float32)
 
 
 def _points(base: Floats, metres: Floats, across: Floats) -> Floats:

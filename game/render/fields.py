@@ -146,16 +146,16 @@ def hint(
     shapes.box(surface, rect, s, border=theme.ERROR if error else theme.LINE)
     left = rect.x + round(12 * s)
     if error:
-        centre = (left + round(1 * s), rect.centery)
+        centre = (left + round(5 * s), rect.centery)
         shapes.disc(surface, centre, 6.5 * s, theme.ERROR)
         baseline = rect.centery + type_.cap(11) / 2
         type_.draw(surface, "!", (centre[0] + 0.5, baseline), 11, theme.PANEL, "centre")
-        left += round(12 * s)
+        left += round(18 * s)
     ink = theme.ERROR if error else theme.TEXT_SOFT
     type_.draw(surface, string, (left, rect.centery + type_.cap(13) / 2), 13, ink)
     return rect
 
 
 def hint_room(rect: pygame.Rect, s: float) -> int:
-    """Return the width an error may have, px: a hint has 12 s more."""
+    """Return the width an error may have, px: a hint has the room of its sign more."""
     return rect.w - round(36 * s)

@@ -11,8 +11,8 @@ import numpy as np
 from .arrays import Bytes, Floats
 from .theme import Colour
 
-LAMPS = ((0.62, 0.42, 0.95), (-0.62, -0.42, 0.95))
-"""Two lamps, metres from the middle of the table: at (+-0.62, 0.42) seen from the ball's own side."""
+LAMPS = ((0.62, 0.42, 0.95), (-0.62, 0.42, 0.95))
+"""Two lamps relative to the middle of the table, m: a little behind it, so balls are lit from above."""
 GAMMA = 2.2
 
 
@@ -35,23 +35,22 @@ def normals(side: int, radius: float, centre: float) -> tuple[Floats, Floats]:
 
 def _smooth(low: float, high: float, value: Floats) -> Floats:
     t = ((value - low) / (high - low)).clip(0, 1)
-    return t * t * (3 - 2 * t)
+    return np.asarray(t * t * (3 - 2 * t), np.float32)
 
 
 def _lamps(x: float, y: float) -> list[Floats]:
-    """Return the vectors from a ball at (x, y) metres to the two lamps and its nearer reflection."""
+    """Return the vectors from a ball at (x, y) metres to the two lamps."""
     return [np.array((sx - x, sy - y, h), np.float32) for sx, sy, h in LAMPS]
 
 
 def diffuse(normal: Floats, x: float, y: float) -> Floats:
     """Return linear light, about 0 to 1, falling on each normal of a ball at (x, y) metres."""
-    total = np.full(normal.shape[1:], 0.10, np.float32)
-    total += 0.36 * (0.30 + 0.70 * _smooth(-0.2, 1.0, normal[2]))
+    total = 0.03 + 0.19 * _smooth(-0.3, 1.0, normal[2])
     for lamp in _lamps(x, y):
         far = float(np.sqrt(lamp @ lamp))
         facing = np.tensordot(lamp / far, normal, 1)
-        total += 0.34 * (0.88 * facing + 0.12).clip(0, None) * (0.95 / far) ** 0.5 * 1.6
-    return total
+        total += 0.62 * (0.94 * facing + 0.06).clip(0, None) ** 1.6 * (1.15 / far) ** 0.5
+    return np.asarray(total, np.float32)
 
 
 def rim(normal: Floats) -> Floats:
@@ -72,7 +71,7 @@ def highlight(normal: Floats, x: float, y: float) -> Floats:
         u = mirrored[0] / np.maximum(up, 0.05) - lamp[0] / lamp[2]
         v = mirrored[1] / np.maximum(up, 0.05) - lamp[1] / lamp[2]
         inside = _smooth(-0.14, 0.14, 0.48 - np.abs(u)) * _smooth(-0.14, 0.14, 0.26 - np.abs(v))
-        total += 0.80 * inside * (up > 0.05)
+        total += 0.62 * inside * (up > 0.05)
     return total
 
 
@@ -89,5 +88,5 @@ def overlays(
     green = np.array(cloth, np.float32) / 255
     below = _smooth(0.1, -0.9, normal[1])
     bounce = (0.30 * edge * (0.45 + 0.55 * below))[..., None] * green**GAMMA
-    added = (bounce + highlight(normal, x, y)[..., None]).clip(0, 1) ** (1 / GAMMA)
+    added = (bounce + highlight(normal, x, y)[..., None]).clip(0, 1) ** (1 / 1.8)
     return np.round(times * 255).astype(np.uint8), np.round(added * 255).astype(np.uint8)

@@ -13,6 +13,8 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
+from numpy.typing import NDArray
+
 from .arrays import Floats, Indices, Points
 from .theme import Colour
 
@@ -30,69 +32,58 @@ class Touched(NamedTuple):
 
 def touched(points: Points, reach: float, clip: pygame.Rect) -> Touched:
     """Return the pixels within `reach` px of the polyline `points` and inside `clip`."""
-    path = np.asarray(points, np.float64).reshape(-1, 2)
-    step = np.diff(path, axis=0)
+    path = np.asarray(points, np.float32).reshape(-1, 2)
+    step = path[1:] - path[:-1]
     length = np.hypot(step[:, 0], step[:, 1])
-    start = np.concatenate(([0.0], np.cumsum(length)[:-1]))
-    keep = length > 1e-9
-    path, step, length, start = path[:-1][keep], step[keep], length[keep], start[keep]
+    start = np.cumsum(length, dtype=np.float32) - length
+    long = length > 1e-6
     flat = np.abs(step[:, 0]) >= np.abs(step[:, 1])
-    x, y, segment = (
-        np.concatenate(pair)
-        for pair in zip(
-            _beside(path[flat], step[flat], np.flatnonzero(flat), reach, (clip.x, clip.right)),
-            _transposed(
-                path[~flat], step[~flat], np.flatnonzero(~flat), reach, (clip.y, clip.bottom)
-            ),
-            strict=True,
-        )
+    columns, rows = (clip.x, clip.right), (clip.y, clip.bottom)
+    x, y, away, along = _beside(path, step, length, start, flat & long, reach, columns, rows)
+    v, u, *rest = _beside(
+        path[:, ::-1], step[:, ::-1], length, start, ~flat & long, reach, rows, columns
     )
-    inside = (x >= clip.x) & (x < clip.right) & (y >= clip.y) & (y < clip.bottom)
-    x, y, segment = x[inside], y[inside], segment[inside]
-    unit = (step / length[:, None])[segment]
-    dx, dy = x + 0.5 - path[segment, 0], y + 0.5 - path[segment, 1]
-    along = np.clip(dx * unit[:, 0] + dy * unit[:, 1], 0, length[segment])
-    away = np.hypot(dx - along * unit[:, 0], dy - along * unit[:, 1])
-    near = away <= reach
-    total = (along + start[segment])[near].astype(np.float32)
-    return Touched(x[near], y[near], away[near].astype(np.float32), total)
+    return Touched(
+        np.concatenate((x, u)),
+        np.concatenate((y, v)),
+        np.concatenate((away, rest[0])),
+        np.concatenate((along, rest[1])),
+    )
 
 
 def _beside(
     path: Floats,
     step: Floats,
-    names: Indices,
+    length: Floats,
+    start: Floats,
+    chosen: NDArray[np.bool_],
     reach: float,
-    limits: tuple[int, int],
-) -> tuple[Indices, Indices, Indices]:
-    """Return x, y and segment of the pixels around segments no steeper than 45 degrees."""
-    if not len(path):
-        none = np.zeros(0, np.intp)
-        return none, none, none
-    ends = path[:, 0] + step[:, 0]
-    first = np.floor(np.minimum(path[:, 0], ends) - reach).clip(*limits).astype(np.intp)
-    last = np.ceil(np.maximum(path[:, 0], ends) + reach).clip(*limits).astype(np.intp)
+    across: tuple[int, int],
+    down: tuple[int, int],
+) -> Touched:
+    """Return the same for the `chosen` segments, none steeper than 45 degrees.
+
+    Each column a segment crosses is given a short run of pixels around its middle line.
+    """
+    names = np.flatnonzero(chosen)
+    ends = path[names, 0], path[names, 0] + step[names, 0]
+    first = np.floor(np.minimum(*ends) - reach).clip(*across).astype(np.intp)
+    last = np.ceil(np.maximum(*ends) + reach).clip(*across).astype(np.intp)
     count = np.maximum(last - first, 0)
-    which = np.repeat(np.arange(len(path)), count)
-    x = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count) + first[which]
-    slope = (step[:, 1] / step[:, 0])[which]
-    middle = path[which, 1] + (x + 0.5 - path[which, 0]) * slope
-    half = int(np.ceil(reach * 1.4143)) + 1
+    name = np.repeat(names, count)
+    x = np.arange(count.sum()) + np.repeat(first - np.cumsum(count) + count, count)
+    ux, uy = (step[name, axis] / length[name] for axis in (0, 1))
+    dx = (x + np.float32(0.5) - path[name, 0]).astype(np.float32)
+    middle = path[name, 1] + dx * uy / ux
+    half = int(np.ceil(reach * 1.4143))
     y = np.floor(middle).astype(np.intp)[:, None] + np.arange(-half, half + 1)
-    wide = y.shape[1]
-    return np.repeat(x, wide), y.ravel(), np.repeat(names[which], wide)
-
-
-def _transposed(
-    path: Floats,
-    step: Floats,
-    names: Indices,
-    reach: float,
-    limits: tuple[int, int],
-) -> tuple[Indices, Indices, Indices]:
-    """Return the same for segments steeper than 45 degrees."""
-    y, x, segment = _beside(path[:, ::-1], step[:, ::-1], names, reach, limits)
-    return x, y, segment
+    dy = (y + np.float32(0.5) - path[name, 1][:, None]).astype(np.float32)
+    along = (dx * ux)[:, None] + dy * uy[:, None]
+    beyond = along - along.clip(0, length[name][:, None])
+    away = np.hypot(dx[:, None] * uy[:, None] - dy * ux[:, None], beyond)
+    along += start[name][:, None] - beyond
+    near = (away <= reach) & (y >= down[0]) & (y < down[1])
+    return Touched(np.repeat(x, near.sum(axis=1)), y[near], away[near], along[near])
 
 
 _peaks: dict[int, Floats] = {}

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from typing import Any
+
 import numpy as np
 import pygame
+from numpy.typing import NDArray
 
 from . import cloth as cloths
 from . import lines, rails
-from .arrays import Floats, Points
+from .arrays import Bytes, Floats, Points
 from .layout import BORDER, CUSHION, Layout
 from .theme import BACKGROUND, CLOTHS, Colour, mix
 
-SIDES = ((1.06, 11), (0.90, 23), (0.97, 37), (1.0, 41))
+SIDES = ((1.10, 11), (0.96, 23), (1.02, 37), (1.05, 41))
 """Light on the far, near, left and right cushion, and a seed for each board's grain."""
 
 
@@ -23,12 +26,12 @@ def background(layout: Layout, cloth: str = "blue", walls: Sequence[Points] = ()
     `cloth` is a key of `theme.CLOTHS`.  `walls` are walls inside the bed, each a line of points in
     metres, drawn as strips of cushion.
     """
-    surface = pygame.Surface(layout.size)
+    surface = pygame.Surface(layout.size, 0, 32)
     surface.fill(BACKGROUND)
     colour = CLOTHS[cloth]
     _floor_shadow(surface, layout)
-    _blit(surface, layout.table, _framed(layout, colour))
-    _blit(surface, layout.bed, cloths.bed(layout, colour))
+    _blit(surface, layout.table, _framed(surface, layout, colour))
+    _toned(surface, layout.bed, cloths.bed(layout), colour)
     _spots(surface, layout, colour)
     for wall in walls:
         _wall(surface, layout, wall, colour)
@@ -38,6 +41,17 @@ def background(layout: Layout, cloth: str = "blue", walls: Sequence[Points] = ()
 def _blit(surface: pygame.Surface, box: pygame.Rect, picture: Floats) -> None:
     pixels = pygame.surfarray.pixels3d(surface)
     pixels[box.x : box.right, box.y : box.bottom] = (picture + 0.5).clip(0, 255)
+
+
+def _toned(surface: pygame.Surface, box: pygame.Rect, light: Floats, colour: Colour) -> None:
+    """Paint `box` in `colour` times `light` (up to 1.25), through a table of all the shades."""
+    levels = np.arange(1024)[:, None] * np.array(colour) * (1.25 / 1023)
+    shades = [
+        surface.map_rgb(shade) for shade in np.round(levels).clip(0, 255).astype(int).tolist()
+    ]
+    step = (light * np.float32(1023 / 1.25)).astype(np.int32)
+    pixels = pygame.surfarray.pixels2d(surface)
+    pixels[box.x : box.right, box.y : box.bottom] = np.array(shades, np.uint32)[step]
 
 
 def _floor_shadow(surface: pygame.Surface, layout: Layout) -> None:
@@ -58,43 +72,40 @@ def _floor_shadow(surface: pygame.Surface, layout: Layout) -> None:
     surface.blit(pygame.transform.smoothscale(shade, box.size), box)
 
 
-def _framed(layout: Layout, colour: Colour) -> Floats:
+def _framed(surface: pygame.Surface, layout: Layout, colour: Colour) -> Floats:
     """Return the table's rectangle (width, height, 3) with rails and cushions, the bed left black."""
     box = layout.table
     picture = np.zeros((box.w, box.h, 3), np.float32)
-    depth = int(np.ceil(BORDER * layout.scale)) + 1
-    far, near, left, right = (_side(layout, i, colour, depth) for i in range(4))
-    picture[:, :depth] = far[:, ::-1]
-    picture[:, -depth:] = near
-    for strip, corner in ((left[:, ::-1], 0), (right, box.w - depth)):
-        target = picture[corner : corner + depth]
-        mask = (
-            _mitre(layout, depth)[..., None]
-            if corner == 0
-            else _mitre(layout, depth)[::-1, :, None]
-        )
-        target += (strip.transpose(1, 0, 2) - target) * mask
-    _corners(picture, layout, depth)
+    far, near, left, right = (_side(layout, i, colour) for i in range(4))
+    depth = min(far.shape[1], left.shape[1])
+    picture[:, : far.shape[1]] = far
+    picture[:, -far.shape[1] :] = near[:, ::-1]
+    mitre = _mitre(layout, depth)[..., None]
+    for strip, target in ((left, picture[:depth]), (right, picture[::-1][:depth])):
+        target += (strip[:, :depth].transpose(1, 0, 2) - target) * mitre
+    _joints(picture, layout, depth)
     rails.inlay(picture, layout, box.x, box.y)
-    _round(picture, layout)
+    floor = pygame.surfarray.pixels3d(surface)[box.x : box.right, box.y : box.bottom]
+    _round(picture, floor, layout)
     return picture
 
 
-def _side(layout: Layout, index: int, colour: Colour, depth: int) -> Floats:
-    """Return one side (count, depth, 3): cushion and rail from the nose outwards, lit by the lamps."""
+def _side(layout: Layout, index: int, colour: Colour) -> Floats:
+    """Return one side (count, depth, 3) from the outer edge inwards, lit by the lamps."""
     light, seed = SIDES[index]
     long = index < 2
-    count = layout.table.w if long else layout.table.h
-    soft = round(CUSHION * layout.scale) + 1
-    cushion = cloths.cushion(layout, count, soft, light, seed)[..., None] * np.array(
-        colour, np.float32
-    )
-    wood = rails.board(layout, count, depth - soft, seed)
-    strip = np.concatenate((cushion, wood), axis=1)
+    count, across = (layout.table.w, layout.table.h) if long else (layout.table.h, layout.table.w)
+    nose = (across - (layout.width if long else layout.length) * layout.scale) / 2
+    away = nose - np.arange(int(np.ceil(nose)), dtype=np.float32) - np.float32(0.5)
+    back = away - np.float32(CUSHION * layout.scale)
+    cushion = cloths.cushion(layout, count, away, light, seed)[..., None]
+    wood = rails.board(layout, count, back, seed)
+    strip = cushion * np.array(colour, np.float32)
+    strip += (wood - strip) * (back + 0.5).clip(0, 1)[:, None]
     x, y = cloths.axes(layout, *layout.table)
     edge = np.array([(layout.width if long else layout.length) / 2], np.float32)
     lamp = cloths.lamp(x, edge, layout) if long else cloths.lamp(edge, y, layout).T
-    return np.asarray(strip * (0.80 + 0.34 * lamp)[..., None], np.float32)
+    return np.asarray(strip * (0.78 + 0.24 * lamp)[..., None], np.float32)
 
 
 def _mitre(layout: Layout, depth: int) -> Floats:
@@ -105,7 +116,7 @@ def _mitre(layout: Layout, depth: int) -> Floats:
     return np.asarray((j - i + 0.5).clip(0, 1), np.float32)
 
 
-def _corners(picture: Floats, layout: Layout, depth: int) -> None:
+def _joints(picture: Floats, layout: Layout, depth: int) -> None:
     """Draw the joints of the mitres: darker in wood than in cloth."""
     i = np.arange(depth, dtype=np.float32)
     away = np.abs(i[:, None] - i[None]) / np.float32(1.4142)
@@ -116,24 +127,23 @@ def _corners(picture: Floats, layout: Layout, depth: int) -> None:
         patch *= keep
 
 
-def _four(picture: Floats, depth: int) -> list[Floats]:
+def _four(picture: NDArray[Any], depth: int) -> list[NDArray[Any]]:
     """Return views of the four corners, each with its outermost pixel first."""
     flips = ((1, 1), (-1, 1), (1, -1), (-1, -1))
     return [picture[::a, ::b][:depth, :depth] for a, b in flips]
 
 
-def _round(picture: Floats, layout: Layout) -> None:
-    """Cut the outer corners round; the floor under them is near the window's own colour."""
+def _round(picture: Floats, floor: Bytes, layout: Layout) -> None:
+    """Cut the outer corners round, down to the floor."""
     radius = rails.CORNER * layout.scale
     size = int(radius) + 1
     i = radius - np.arange(size, dtype=np.float32) - 0.5
     away = np.hypot(i[:, None].clip(0, None), i[None].clip(0, None)) - radius
     inside = (0.5 - away).clip(0, 1)[..., None]
-    bevel = 1 - 0.35 * (1 + away / (0.007 * layout.scale)).clip(0, 1)[..., None]
-    floor = np.array(mix(BACKGROUND, (0, 0, 0), 0.7), np.float32)
-    for patch in _four(picture, size):
+    bevel = 1 - 0.30 * (1 + away / (0.007 * layout.scale)).clip(0, 1)[..., None]
+    for patch, below in zip(_four(picture, size), _four(floor, size), strict=True):
         patch *= bevel
-        patch += (floor - patch) * (1 - inside)
+        patch += (below - patch) * (1 - inside)
 
 
 def _spots(surface: pygame.Surface, layout: Layout, colour: Colour) -> None:
