@@ -2,6 +2,7 @@
 
 from . import laws, scenes, tables
 from .ball import Ball
+from .batch import Outcomes, simulate_many
 from .cloth import Cloth
 from .engine import EventBudgetError, EventDriven
 from .log import Event, Leg, Log, State
@@ -11,6 +12,6 @@ from .wall import Wall
 from .world import World, simulate
 
 __all__ = [
-    "Ball", "Cloth", "Event", "EventBudgetError", "EventDriven", "Leg", "Log", "Shot", "State",
-    "Wall", "World", "laws", "scenes", "simulate", "tables", "trace",
+    "Ball", "Cloth", "Event", "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Shot",
+    "State", "Wall", "World", "laws", "scenes", "simulate", "simulate_many", "tables", "trace",
 ]  # fmt: skip

@@ -1,17 +1,14 @@
 """A ball: a name and the kernel's record of it, shown through properties."""
 
 from collections.abc import Sequence
-from operator import attrgetter
 
 from .checks import positive, vector
-from .kernel.body import Body, Felt
+from .kernel.body import Body, Felt, twin
 from .kernel.motion import RESTING, ROLLING, SLIDING, carry, faded, motion, place
 
 DISTURBED = -1  # the phase of a ball that somebody has touched and no engine has looked at yet
 NOWHERE = Felt(0.0, 0.0, 0.0)  # the cloth under a ball that is in no world yet
 NAMES = {RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding"}
-
-_values = attrgetter(*Body.__slots__)
 
 
 class Clock:
@@ -146,5 +143,5 @@ class Ball:
     def twin(self, clock: Clock) -> "Ball":
         """The same ball, on the same leg, in another world."""
         ball = Ball.__new__(Ball)
-        ball.name, ball._clock, ball._body = self.name, clock, Body(*_values(self._body))
+        ball.name, ball._clock, ball._body = self.name, clock, twin(self._body)
         return ball

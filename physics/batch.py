@@ -1,1 +1,158 @@
-"""Many shots of one scene: arrays in, arrays out."""
+"""Many shots of one scene: shots in, arrays out; compiled where the extra `fast` is there."""
+
+from __future__ import annotations
+
+import importlib.util
+from collections.abc import Sequence
+from concurrent.futures import Executor
+from dataclasses import astuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from .ball import Ball
+from .engine import EventDriven
+from .kernel import body, calendar
+from .laws import ForeignRule
+from .shot import Shot, direction
+from .world import World, simulate
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+CHUNK = 4096  # shots that an executor is handed at once: 10 ms compiled, 0.5 s interpreted
+WORTH = 5000  # shots: below that, loading the compiled kernel takes longer than it saves
+
+
+class Outcomes(NamedTuple):
+    """positions (shots, balls, 2) at rest, m; times (shots,) till rest, s; events (shots,)."""
+
+    positions: npt.NDArray[np.float64]
+    times: npt.NDArray[np.float64]
+    events: npt.NDArray[np.int64]
+
+
+def simulate_many(
+    world: World,
+    ball: Ball | str,
+    shots: Sequence[Shot] | npt.ArrayLike,
+    executor: Executor | None = None,
+    compiled: bool | None = None,
+) -> Outcomes:
+    """What becomes of each shot at `ball`, all from the state the world is in; the world stays as
+    it is.
+
+    shots: `Shot`s, or an array (shots, 5) of speed, angle, follow, masse, side. executor: any of
+    concurrent.futures' kind shares the work: threads (the compiled kernel lets them run at once),
+    processes, a cluster's. compiled: True asks for numba (ImportError without it), False for the
+    interpreter; None takes numba where it is installed and worth it. The digits are the same.
+    ValueError names a bad shot; EventBudgetError as in a run.
+    """
+    import numpy as np
+
+    world.plan()
+    table = _table(shots, np)
+    if not isinstance(world.engine, EventDriven):
+        return _one_by_one(world, ball, table, np)
+    starts = _starts(world, world.ball(ball).name, table, np)
+    job = Job(world.scene, world.engine.budget, _choose(world, len(starts), compiled))
+    pieces = [starts[k : k + CHUNK] for k in range(0, len(starts), CHUNK)] or [starts]
+    if executor is None:
+        parts = [job.run(piece) for piece in pieces]
+    else:
+        parts = [future.result() for future in [executor.submit(job.run, p) for p in pieces]]
+    outcomes = Outcomes(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+    over = np.flatnonzero(outcomes.events > world.engine.budget)
+    if len(over):
+        simulate(world, ball, Shot(*table[over[0]].tolist()))  # raises, with the scene
+    return outcomes
+
+
+def _table(shots: Any, np: Any) -> Any:
+    """The shots as an array (shots, 5), each of them one that could be played."""
+    if not isinstance(shots, np.ndarray):
+        shots = [astuple(shot) if isinstance(shot, Shot) else shot for shot in shots]
+    table = np.asarray(shots, float).reshape(-1, 5) if len(shots) else np.empty((0, 5))
+    for bad in np.flatnonzero(~(np.isfinite(table).all(axis=1) & (table[:, 0] > 0.0))):
+        try:
+            Shot(*table[bad].tolist())
+        except ValueError as error:
+            raise ValueError(f"shot {bad}: {error}") from None
+    return table
+
+
+def _starts(world: World, name: str, table: Any, np: Any) -> Any:
+    """(shots, balls, 7): position, velocity, roll, side of every ball when the shot is struck."""
+    starts = np.empty((len(table), len(world.balls), 7))
+    for k, ball in enumerate(world.copy().balls):
+        body = ball.disturb()
+        p, v, w = body.position, body.velocity, body.roll
+        starts[:, k] = p.real, p.imag, v.real, v.imag, w.real, w.imag, body.side
+        if ball.name == name:
+            speed, angle, follow, masse, side = table.T
+            # one by one: numpy's own sine may differ in the last digit from the one that Shot uses
+            d = np.array([direction(a) for a in angle.tolist()], complex)
+            starts[:, k, 2], starts[:, k, 3] = speed * d.real, speed * d.imag
+            starts[:, k, 4] = follow * d.real + masse * d.imag
+            starts[:, k, 5] = follow * d.imag - masse * d.real
+            starts[:, k, 6] = side
+    return starts
+
+
+def _choose(world: World, shots: int, compiled: bool | None) -> bool:
+    """Compiled or not?  A law from outside cannot be compiled."""
+    rules = world.scene.ball_rule, world.scene.cushion_rule
+    foreign = any(isinstance(rule, ForeignRule) for rule in rules)
+    if compiled and foreign:
+        raise ValueError("a law from outside runs interpreted: compiled=True cannot be had")
+    if compiled is None:
+        worth = shots >= WORTH and importlib.util.find_spec("numba") is not None
+        return worth and not foreign
+    return compiled
+
+
+class Job(NamedTuple):
+    """What every piece of a batch needs: it can be sent to another process or machine."""
+
+    scene: body.Scene
+    budget: int
+    compiled: bool
+
+    def run(self, starts: Any) -> tuple[Any, Any, Any]:
+        """(positions, times, events) of the shots that start so."""
+        return self._compiled(starts) if self.compiled else self._interpreted(starts)
+
+    def _compiled(self, starts: Any) -> tuple[Any, Any, Any]:
+        import numpy as np
+
+        from .compiled import kernel, packed
+
+        shots, balls, _ = starts.shape
+        rests = np.empty((shots, balls, 2))
+        times, counts = np.empty(shots), np.empty(shots, np.int64)
+        kernel().calendar.many(starts, rests, times, counts, self.budget, packed(self.scene))
+        return rests, times, counts
+
+    def _interpreted(self, starts: Any) -> tuple[Any, Any, Any]:
+        import numpy as np
+
+        shots, balls, _ = starts.shape
+        rests = [[[0.0, 0.0] for _ in range(balls)] for _ in range(shots)]
+        times, counts = [0.0] * shots, [0] * shots
+        scene = self.scene._replace(
+            balls=[body.twin(ball) for ball in self.scene.balls],
+            meetings=self.scene.meetings[:],
+            ties=body.ties(balls),
+        )
+        calendar.many(starts.tolist(), rests, times, counts, self.budget, scene)
+        return np.array(rests).reshape(shots, balls, 2), np.array(times), np.array(counts, np.int64)
+
+
+def _one_by_one(world: World, ball: Ball | str, table: Any, np: Any) -> Outcomes:
+    """The shots through an engine that has no batches."""
+    worlds = [simulate(world, ball, Shot(*row)) for row in table.tolist()]
+    rests = np.array([[b.position for b in after.balls] for after in worlds])
+    return Outcomes(
+        rests.reshape(-1, len(world.balls), 2),
+        np.array([after.time - world.time for after in worlds]),
+        np.array([len(after.log) for after in worlds], np.int64),
+    )

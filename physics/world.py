@@ -172,7 +172,7 @@ class World:
     @property
     def next_event(self) -> float:
         """When something will happen next, seconds, or inf."""
-        self._look()
+        self.plan()
         return self._clock.epoch + self.due
 
     # -- what one does with it -----------------------------------------------------------------
@@ -193,7 +193,7 @@ class World:
         clock = self._clock
         nonnegative("World.step dt", dt)
         if clock.disturbed:
-            self._look()
+            self.plan()
         now = clock.now + dt
         if clock.epoch + self.due <= clock.epoch + now:
             self._engine.advance(self, clock.epoch + now)
@@ -203,7 +203,7 @@ class World:
         """Let time pass till all balls rest, or till world time `until`, s, that included."""
         if isnan(until) or until < self.time:
             raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
-        self._look()
+        self.plan()
         reached = self._engine.advance(self, until)
         self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
 
@@ -234,8 +234,8 @@ class World:
         for ball in self._balls:
             ball.disturb()
 
-    def _look(self) -> None:
-        """Plan anew for the balls that somebody has put or pushed."""
+    def plan(self) -> None:
+        """Take in what somebody has put or pushed; ValueError if it cannot be."""
         clock, bodies = self._clock, self.scene.balls
         if not clock.disturbed:
             return
@@ -280,7 +280,7 @@ def simulate(world: World, ball: Ball | str, shot: Shot) -> World:
 
     ball is one of the world's, or its name. The world itself stays as it is.
     """
-    world._look()
+    world.plan()
     after = world._fork(world.log.fresh())
     after.strike(ball, shot)
     after.run()

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from math import inf
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 
@@ -31,6 +32,14 @@ class Body:
     meets: float = inf
     partner: int = -1
     next: float = inf
+
+
+_values = attrgetter(*Body.__slots__)
+
+
+def twin(ball: Body) -> Body:
+    """The same record once more."""
+    return Body(*_values(ball))
 
 
 @dataclass(slots=True, eq=False)

@@ -1,0 +1,25 @@
+"""The kernel loaded once more, with another module in the place of its subset."""
+
+import importlib
+import importlib.util
+import sys
+from pathlib import Path
+from types import ModuleType
+
+FOLDER = Path(__file__).parent / "kernel"
+
+
+def load(name: str, subset: ModuleType) -> ModuleType:
+    """The package physics.kernel under another name, with `subset` as its module subset."""
+    spec = importlib.util.spec_from_file_location(
+        name, FOLDER / "__init__.py", submodule_search_locations=[str(FOLDER)]
+    )
+    assert spec is not None
+    assert spec.loader is not None
+    package = importlib.util.module_from_spec(spec)
+    sys.modules[name] = package
+    sys.modules[f"{name}.subset"] = subset
+    spec.loader.exec_module(package)
+    for module in ("body", "calendar"):
+        importlib.import_module(f"{name}.{module}")
+    return package

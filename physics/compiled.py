@@ -1,0 +1,84 @@
+"""The kernel compiled by numba, from the same source, beside the interpreted one in one process.
+
+numba's cache does not see that another file has changed: so the cache folder carries a hash of
+them all.
+"""
+
+import hashlib
+import logging
+import os
+from functools import cache
+from math import exp, inf, sqrt
+from pathlib import Path
+from threading import Lock
+from types import ModuleType
+from typing import Any
+
+from .binding import FOLDER, load
+from .kernel.body import Line, Scene, rows, ties
+
+log = logging.getLogger("physics")
+_lock = Lock()  # threads may ask at once
+
+NAME = "physics.compiled_kernel"
+
+
+def cache_folder() -> Path:
+    """Where the compiled kernel is kept: in the user's cache folder, by the hash of its sources."""
+    import numba
+
+    sources = b"".join(path.read_bytes() for path in sorted(FOLDER.glob("*.py")))
+    key = hashlib.sha256(sources + numba.__version__.encode()).hexdigest()[:16]
+    home = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
+    return Path(home) / "danggu" / f"kernel-{key}"
+
+
+def _subset() -> ModuleType:
+    from numba import njit
+
+    def kernel(function: Any) -> Any:
+        return njit(cache=True, nogil=True, error_model="numpy")(function)
+
+    subset = ModuleType(f"{NAME}.subset")
+    vars(subset).update(
+        kernel=kernel, inf=inf, sqrt=sqrt, exp=exp, complex=complex,
+        foreign_cushion=njit(nogil=True)(lambda v, roll, side, rule: (v, roll, side)),
+        foreign_ball=njit(nogil=True)(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
+    )  # fmt: skip
+    return subset
+
+
+def kernel() -> ModuleType:
+    """The compiled kernel package; ImportError without the extra `fast`."""
+    with _lock:
+        return _kernel()
+
+
+@cache
+def _kernel() -> ModuleType:
+    from numba.core import config
+
+    folder, before = cache_folder(), config.CACHE_DIR
+    if not folder.exists():
+        log.warning("compiling the kernel for %s, this once: it takes about ten seconds", folder)
+    config.CACHE_DIR = str(folder)
+    try:
+        return load(NAME, _subset())
+    finally:
+        config.CACHE_DIR = before
+
+
+def packed(scene: Scene) -> Any:
+    """The same scene in arrays, with room of its own, for the compiled kernel."""
+    import numpy as np
+
+    body = kernel().body
+    felt, ball_rule, cushion_rule = (
+        rows([record])[0] for record in (scene.cloth, scene.ball_rule, scene.cushion_rule)
+    )
+    room = ties(len(scene.balls))
+    walls = rows(scene.walls or [Line(0j, 0.0, 0j)])[: len(scene.walls)]
+    return body.Scene(
+        rows(scene.balls), np.array(scene.meetings), walls, felt, ball_rule,
+        cushion_rule, np.asarray(scene.cushion_table, float), body.Ties(*(np.array(column) for
+    column in room)), )  # fmt: skip
