@@ -5,6 +5,7 @@ from math import sqrt
 
 from . import laws, tables
 from .ball import Ball
+from .cloth import Cloth
 from .shot import Shot, direction
 from .world import World
 
@@ -80,13 +81,13 @@ def rack15(gap: float = 1e-5, speed: float = 8.0) -> World:
 
 
 def cradle(balls: int = 5, angle: float = 0.0) -> World:
-    """Newton's cradle: a ball runs at 1 m/s, at `angle` degrees, into a row that touches."""
-    world = World(ball_law=laws.SmoothBall(1.0))
+    """Newton's cradle: on ice, a ball runs at 1 m/s, at `angle` degrees, into a row that touches."""
+    world = World(Cloth(0.0, 0.0, 0.0), laws.SmoothBall(1.0))
     line = direction(angle)
     for k in range(balls):
         p = (2.0 * R * k - (0.1 if k == 0 else 0.0)) * line
         world.add(Ball(f"{k}", at=(p.real, p.imag)))
-    world.strike("0", Shot(1.0, angle, follow=1.0))
+    world.strike("0", Shot(1.0, angle))
     return world
 
 

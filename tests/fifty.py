@@ -1,0 +1,64 @@
+"""The kernel in 50-digit numbers: the same source, bound to mpmath."""
+
+from dataclasses import fields
+from functools import cache
+from types import ModuleType
+from typing import Any
+
+import mpmath
+
+from physics import World
+from physics.binding import load
+
+DIGITS = 50
+
+
+def _foreign(*_: Any) -> Any:
+    raise NotImplementedError("laws from outside are not run in 50 digits")
+
+
+@cache
+def kernel() -> ModuleType:
+    """The kernel package whose numbers may be mpf and mpc."""
+    mpmath.mp.dps = DIGITS
+    subset = ModuleType("physics.fifty_digit_kernel.subset")
+    vars(subset).update(
+        kernel=lambda function: function, inf=mpmath.inf, sqrt=mpmath.sqrt, exp=mpmath.exp,
+        complex=mpmath.mpc, foreign_ball=_foreign, foreign_cushion=_foreign,
+    )  # fmt: skip
+    package: Any = load("physics.fifty_digit_kernel", subset)
+    package.contact.NEAR = mpmath.mpf("1e-26")  # the gap left behind is its square
+    package.contact.ROUNDS = 200
+    package.cluster.AGREES = mpmath.mpf("1e-45")
+    return package
+
+
+def exact(value: Any) -> Any:
+    if isinstance(value, complex):
+        return mpmath.mpc(value)
+    return mpmath.mpf(value) if isinstance(value, float) else value
+
+
+def record(item: Any) -> Any:
+    copy = object.__new__(type(item))
+    for field in fields(item):
+        setattr(copy, field.name, exact(getattr(item, field.name)))
+    if hasattr(copy, "level"):
+        copy.level = mpmath.sqrt(1 - copy.height * copy.height)
+    return copy
+
+
+def rest(world: World, until: float = float("inf")) -> tuple[list[Any], int]:
+    """Where the balls of a world at time 0 come to rest, as mpc, and after how many events."""
+    package: Any = kernel()
+    world.plan()
+    scene = world.scene
+    room = package.body.ties(len(scene.balls))
+    mine = package.body.Scene(
+        [record(ball) for ball in scene.balls], [mpmath.inf] * len(scene.meetings),
+        [record(wall) for wall in scene.walls], record(scene.cloth), record(scene.ball_rule),
+        record(scene.cushion_rule), scene.cushion_table, room,
+    )  # fmt: skip
+    package.calendar.plan(mine)
+    events, _ = package.calendar.advance(until, 10**5, mine)
+    return [ball.position for ball in mine.balls], events

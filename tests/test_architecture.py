@@ -1,0 +1,112 @@
+"""The shape of the code: imports run one way, functions and files stay small."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+SOURCES = sorted(p for part in ("physics", "game", "assets") for p in (ROOT / part).rglob("*.py"))
+# function: why it may be longer than 40 lines
+LONG: dict[str, str] = {}
+
+
+def imported(path: Path) -> set[str]:
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            names |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            names.add(node.module.split(".")[0])
+    return names
+
+
+def relative(path: Path) -> set[str]:
+    return {
+        node.module.split(".")[0]
+        for node in ast.walk(ast.parse(path.read_text()))
+        if isinstance(node, ast.ImportFrom) and node.level and node.module
+    }
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda p: str(p.relative_to(ROOT)))
+def test_imports_run_from_the_kernel_to_physics_to_the_game(path):
+    part = path.relative_to(ROOT).parts
+    names = imported(path)
+    if part[0] == "physics":
+        assert not names & {"pygame", "game", "assets", "time", "platformdirs"}
+    if part[:2] == ("physics", "kernel"):
+        assert not names - {
+            "dataclasses",
+            "math",
+            "typing",
+            "builtins",
+            "collections",
+            "operator",
+            "numpy",
+        }
+        inside = {p.stem for p in (ROOT / "physics" / "kernel").glob("*.py")}
+        assert relative(path) <= inside
+    if part[0] == "game":
+        assert "numba" not in names
+        for node in ast.walk(ast.parse(path.read_text())):
+            if (
+                isinstance(node, ast.ImportFrom)
+                and node.module
+                and node.module.startswith("physics.")
+            ):
+                raise AssertionError(f"{path} reaches behind the public names: {node.module}")
+    if part[:2] == ("game", "match"):
+        assert "pygame" not in names
+
+
+@pytest.mark.parametrize("path", SOURCES, ids=lambda p: str(p.relative_to(ROOT)))
+def test_functions_and_files_stay_small_enough_to_read(path):
+    source = path.read_text()
+    assert source.count("\n") <= 400
+    assert ast.get_docstring(ast.parse(source)), "the first line says the file's one idea"
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            lines = (node.end_lineno or 0) - node.lineno + 1
+            assert lines <= 40 or node.name in LONG, f"{node.name} has {lines} lines"
+
+
+def test_no_module_of_physics_imports_itself_in_a_circle():
+    graph = {p.stem: relative(p) for p in (ROOT / "physics").glob("*.py")}
+    # the engine names the world for the type checker only
+    graph["engine"] -= {"world"}
+    done: set[str] = set()
+
+    def visit(name: str, path: tuple[str, ...]) -> None:
+        assert name not in path, " -> ".join((*path, name))
+        if name not in done:
+            for other in graph.get(name, set()):
+                visit(other, (*path, name))
+            done.add(name)
+
+    for name in graph:
+        visit(name, ())
+
+
+def test_physics_prints_nothing_and_draws_no_chance():
+    for path in (ROOT / "physics").rglob("*.py"):
+        if path.name == "__main__.py":
+            continue
+        tree = ast.parse(path.read_text())
+        calls = {
+            n.func.id
+            for n in ast.walk(tree)
+            if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)
+        }
+        assert "print" not in calls, path
+        assert "random" not in imported(path), path
+
+
+def test_import_physics_needs_neither_numpy_nor_pygame():
+    code = "import sys, physics; print(sorted({'numpy', 'pygame', 'numba'} & set(sys.modules)))"
+    out = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert out.stdout.strip() == "[]"
