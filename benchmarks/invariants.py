@@ -1,0 +1,250 @@
+"""What must hold in every world at every event, read from its log: a list of faults, empty if all does.
+
+Between events the motion is polynomial, so gaps are checked over whole intervals, not at samples: the
+gap of two balls is never less than its projection on any line, a quadratic whose minimum is exact.
+"""
+
+from math import isfinite
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from physics import World, laws
+
+OVERLAP = 1e-12  # m
+ROUNDING = 1e-12  # of the total energy or momentum
+TOUCHING = 1e-8  # m: contacts of a cluster may be this far apart, and so act off their line
+RECENT = 30  # events
+CREATIVE = (laws.ThesisCushion, laws.CappedCushion)  # push as if the ball rolled: make energy
+
+
+class Motion(NamedTuple):
+    """Balls on their legs from each instant on: arrays (instants, balls), complex, m and s."""
+
+    times: Any
+    place: Any
+    velocity: Any
+    acceleration: Any
+    lasts: Any  # s, (instants,): till the next instant
+
+
+def faults(world: World) -> list[str]:
+    """Everything that is wrong with what has happened in a world, in words."""
+    legs = [_table(world.log.legs(ball.name)) for ball in world.balls]
+    if not all(np.isfinite(column).all() for leg in legs for column in leg):
+        return ["a leg is not finite"]
+    found = []
+    for epoch in sorted({float(begin) for leg in legs for begin in leg.epoch}):
+        found += _epoch_faults(world, legs, epoch)
+    return found + _event_faults(world)
+
+
+class Legs(NamedTuple):
+    """A ball's legs as columns."""
+
+    epoch: Any
+    since: Any
+    place: Any
+    velocity: Any
+    acceleration: Any
+    roll: Any
+    side: Any
+
+    def of(self, k: Any) -> "Legs":
+        """Some of them: a mask, or an index for each."""
+        return Legs(*(column[k] for column in self))
+
+
+def _table(legs: list[Any]) -> Legs:
+    rows = np.array([leg[:7] for leg in legs], complex).reshape(-1, 7)
+    epoch, since, *middle, side = rows.T
+    return Legs(epoch.real, since.real, *middle, side.real)
+
+
+def _epoch_faults(world: World, legs: list[Legs], epoch: float) -> list[str]:
+    """Positions of one stretch of time, reckoned from its own zero so that nothing is rounded off."""
+    parts = [_part(leg, epoch) for leg in legs]
+    later = [float(begin) for leg in legs for begin in leg.epoch if begin > epoch]
+    end = (min(later) if later else world.time) - epoch
+    times = np.unique(np.concatenate([part.since for part in parts]))
+    motion = _motion(parts, times, max(end, float(times[-1])))
+    found = _wall_faults(world, motion) + _pair_faults(world, motion)
+    return found + _jump_faults(world, parts, times, epoch)
+
+
+def _part(leg: Legs, epoch: float) -> Legs:
+    """A ball's legs of an epoch; if it has none, the last before, on which it lies still."""
+    mine = leg.of(leg.epoch == epoch)
+    if len(mine.epoch):
+        return mine
+    k = max(int(np.searchsorted(leg.epoch, epoch)) - 1, 0)
+    return leg.of(slice(k, k + 1))._replace(since=np.zeros(1))
+
+
+def _motion(parts: list[Legs], times: Any, end: float) -> Motion:
+    columns = []
+    for part in parts:
+        k = np.maximum(np.searchsorted(part.since, times, side="right") - 1, 0)
+        leg = part.of(k)
+        t, v, a = times - leg.since, leg.velocity, leg.acceleration
+        columns.append((leg.place + t * (v + 0.5 * t * a), v + t * a, a))
+    place, velocity, acceleration = (np.array(column).T for column in zip(*columns, strict=True))
+    return Motion(times, place, velocity, acceleration, np.diff(times, append=end))
+
+
+def lowest(gap: Any, speed: Any, bend: Any, lasts: Any) -> Any:
+    """The least of gap + speed t + bend t²/2 for t from 0 to `lasts`."""
+    end = gap + lasts * (speed + 0.5 * lasts * bend)
+    low = np.minimum(gap, end)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        turn = -speed / bend
+        dip = gap - 0.5 * speed * speed / bend
+    return np.where((bend > 0.0) & (turn > 0.0) & (turn < lasts), np.minimum(low, dip), low)
+
+
+def _wall_faults(world: World, motion: Motion) -> list[str]:
+    found = []
+    radii = np.array([ball.radius for ball in world.balls])
+    for wall in world.walls:
+        inward = wall.normal.conjugate()
+        gap = (inward * motion.place).real - wall.offset - radii
+        low = lowest(
+            gap, (inward * motion.velocity).real, (inward * motion.acceleration).real,
+            motion.lasts[:, None],
+        )  # fmt: skip
+        allowed = np.minimum(gap[0], 0.0) - OVERLAP  # as it was put
+        for k, i in zip(*np.nonzero(low < allowed), strict=True):
+            found.append(
+                f"ball {world.balls[i].name} is {-low[k, i]:.2e} m outside {wall.name or wall}"
+                f" after t = {motion.times[k]!r}"
+            )
+    return found[:3]
+
+
+def _pair_faults(world: World, motion: Motion) -> list[str]:
+    n = len(world.balls)
+    if n < 2:
+        return []
+    radii = np.array([ball.radius for ball in world.balls])
+    first, second = np.triu_indices(n, 1)
+    reach = (radii[first] + radii[second])[None, :]
+    q, w, b = (x[:, second] - x[:, first] for x in motion[1:4])
+    t = motion.lasts[:, None]
+    put = np.minimum(np.abs(q[0]) - reach[0], 0.0) - OVERLAP
+    low = np.full(q.shape, -np.inf)
+    for share in (0.0, 1.0, 0.5):  # a line of centres at the start, the end, the middle
+        line = np.exp(1j * np.angle(q + share * t * (w + 0.5 * share * t * b))).conjugate()
+        low = np.maximum(low, lowest((line * q).real - reach, (line * w).real, (line * b).real, t))
+    found = []
+    for k, p in zip(*np.nonzero(low < put), strict=True):
+        gap = _closest(q[k, p], w[k, p], b[k, p], float(motion.lasts[k])) - reach[0, p]
+        if gap < put[p]:
+            names = world.balls[first[p]].name, world.balls[second[p]].name
+            found.append(f"balls {names} overlap by {-gap:.2e} m after t = {motion.times[k]!r}")
+    return found[:3]
+
+
+def _closest(q: complex, w: complex, b: complex, lasts: float) -> float:
+    """The least |q + w t + b t²/2| for t from 0 to `lasts`: where the cubic derivative is zero."""
+    cubic = [
+        0.5 * abs(b) ** 2,
+        1.5 * (w.conjugate() * b).real,
+        abs(w) ** 2 + (q.conjugate() * b).real,
+        (q.conjugate() * w).real,
+    ]
+    turns = [float(t.real) for t in np.roots(cubic) if 0.0 < t.real < lasts]
+    return min(abs(q + t * (w + 0.5 * t * b)) for t in [0.0, lasts, *turns])
+
+
+def _jump_faults(world: World, parts: list[Legs], times: Any, epoch: float) -> list[str]:
+    """What changes at an instant: places never, energy only down, momentum only at a wall."""
+    mass = np.array([ball.mass for ball in world.balls])
+    radius = np.array([ball.radius for ball in world.balls])
+    fade = world.cloth.spin_decay
+    before, after = (_states(parts, radius, fade, times, side) for side in ("left", "right"))
+    step = np.abs(after[0] - before[0]).max(axis=1)
+    whole = energy(mass, *before[1:])
+    gain = energy(mass, *after[1:]) - whole - ROUNDING * whole - 1e-24
+    scale = (mass * (np.abs(before[1]) + np.abs(after[1]) + 1e-3)).sum(axis=1)
+    drift = np.abs((mass * (after[1] - before[1])).sum(axis=1)) / scale
+    twist = np.abs(_turn(mass, radius, after) - _turn(mass, radius, before)) / scale
+    several = (after[1] != before[1]).sum(axis=1) > 1
+    floor = 0.25 * float(mass.min()) * world.engine.vmin**2
+    odd = (step > OVERLAP) | (gain > floor) | (several & (drift > ROUNDING)) | (several & (twist > TOUCHING))
+    odd[0] = False  # the epoch begins
+    if not odd.any():
+        return []
+    happened: dict[float, list[Any]] = {}
+    for event in world.log:
+        happened.setdefault(event.time, []).append(event)
+    found = []
+    for k in np.nonzero(odd)[0]:
+        events = happened.get(epoch + float(times[k]), [])  # none if somebody pushed
+        kinds = {event.kind for event in events}
+        bound = sum(0.5 * _lightest(world, event) * world.engine.vmin**2 for event in events)
+        if events and step[k] > OVERLAP:
+            found.append(f"a ball jumps by {step[k]:.2e} m at t = {times[k]!r}")
+        if events and gain[k] > bound and not _creates(world, kinds):
+            found.append(f"energy grows by {gain[k]:.3e} J at t = {times[k]!r} {sorted(kinds)}")
+        if kinds == {"ball"} and not isinstance(world.ball_law, laws.ThesisBall):
+            if drift[k] > ROUNDING:
+                found.append(f"momentum changes by {drift[k]:.3e} of all at t = {times[k]!r}")
+            if twist[k] > TOUCHING:
+                found.append(f"angular momentum changes by {twist[k]:.3e} m at t = {times[k]!r}")
+    return found[:3]
+
+
+def _states(parts: list[Legs], radius: Any, fade: float, times: Any, side: Any) -> list[Any]:
+    """(place, velocity, roll, side) of all balls just before or just after each instant."""
+    columns = []
+    for part, r in zip(parts, radius, strict=True):
+        leg = part.of(np.maximum(np.searchsorted(part.since, times, side=side) - 1, 0))
+        t, v, spin = times - leg.since, leg.velocity, leg.side
+        gain = t * leg.acceleration
+        columns.append(
+            (
+                leg.place + t * (v + 0.5 * gain),
+                v + gain,
+                leg.roll + np.where(v == leg.roll, gain, -2.5 * gain),
+                np.sign(spin) * np.maximum(np.abs(spin) - t * r * fade, 0.0),
+            )
+        )
+    return [np.array(column).T for column in zip(*columns, strict=True)]
+
+
+def _creates(world: World, kinds: set[str]) -> bool:
+    """Laws of the thesis may make energy, and a law from outside what it likes."""
+    cushion = isinstance(world.cushion_law, CREATIVE) and "cushion" in kinds
+    return cushion or (isinstance(world.ball_law, laws.ThesisBall) and "ball" in kinds)
+
+
+def _lightest(world: World, event: Any) -> float:
+    """The mass that the floor of the parting speed may set in motion."""
+    if event.kind not in ("ball", "cushion"):
+        return 0.0
+    masses = [world.ball(name).mass for name in event.balls]
+    return masses[0] if len(masses) == 1 else masses[0] * masses[1] / sum(masses)
+
+
+def energy(mass: Any, velocity: Any, roll: Any, side: Any) -> Any:
+    """Kinetic energy of moving and turning, J, at each instant."""
+    v, w = np.abs(velocity), np.abs(roll)
+    return (mass * (0.5 * v * v + 0.2 * (w * w + side * side))).sum(axis=-1)
+
+
+def _turn(mass: Any, radius: Any, state: list[Any]) -> Any:
+    """Angular momentum about the vertical, kg m²/s; m R ω_z R 2/5 of it is spin."""
+    place, velocity, _, side = state
+    return (mass * ((place.conjugate() * velocity).imag + 0.4 * radius * side)).sum(axis=-1)
+
+
+def _event_faults(world: World) -> list[str]:
+    """Of the last events, what they say of themselves (each is worked out when looked at)."""
+    found, last = [], -np.inf
+    for event in world.log[-RECENT:]:
+        if event.time < last:
+            found.append(f"event at {event.time!r} after one at {last!r}")
+        last = event.time
+        if not all(map(isfinite, (event.time, event.closing, event.impulse, event.energy_lost))):
+            found.append(f"an event is not finite: {event}")
+    return found[:3]

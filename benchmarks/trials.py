@@ -1,0 +1,119 @@
+"""What a stress family is made of: a trial is a world and what is done to it; and dice to throw one."""
+
+from cmath import rect
+from collections.abc import Callable
+from math import inf, pi
+from random import Random
+from typing import NamedTuple
+
+from physics import Ball, Cloth, EventBudgetError, EventDriven, Wall, World, laws
+
+from .invariants import faults
+
+BUDGET = 20_000  # events; a 22-ball shot at 1e3 m/s needs a tenth
+RADIUS = 0.03275
+
+
+class Fault(Exception):
+    """What a drive saw go wrong."""
+
+
+class Trial(NamedTuple):
+    """A world, and what is done to it before the log is checked: to rest, unless told otherwise."""
+
+    world: World
+    drive: Callable[[World], None] = World.run
+
+
+Family = Callable[[int, Random], Trial]
+
+
+def outcome(trial: Trial) -> tuple[list[str], int]:
+    """(what went wrong, how many events there were)."""
+    world = trial.world
+    try:
+        trial.drive(world)
+    except EventBudgetError as error:
+        return [str(error)], len(world.log)
+    except (Fault, ValueError, ArithmeticError) as error:
+        return [f"{type(error).__name__}: {error}"], len(world.log)
+    return faults(world), len(world.log)
+
+
+def engine(vmin: float = 1e-3) -> EventDriven:
+    return EventDriven(vmin=vmin, budget=BUDGET)
+
+
+def box(length: float = 2.54, width: float = 1.27, tilt: float = 0.0) -> list[Wall]:
+    """Four walls around the origin, turned by `tilt` radians."""
+    sides = ((1, 0.5 * length), (1j, 0.5 * width), (-1, 0.5 * length), (-1j, 0.5 * width))
+    return [
+        Wall.line(n.real, n.imag, d, name)
+        for name, n, d in (
+            (name, side * rect(1.0, tilt), d)
+            for name, (side, d) in zip(("west", "south", "east", "north"), sides, strict=True)
+        )
+    ]
+
+
+BALL_LAWS: tuple[laws.BallLaw, ...] = (
+    laws.SmoothBall(), laws.SmoothBall(1.0), laws.SmoothBall(0.0), laws.RoughBall(),
+    laws.RoughBall(0.95, 0.06), laws.RoughBall(1.0, 1.0), laws.ThesisBall(),
+)  # fmt: skip
+CUSHION_LAWS: tuple[laws.CushionLaw, ...] = (
+    laws.RigidCushion(), laws.RigidCushion(0.9, 0.1, 1.4), laws.RigidCushion(1.0, 0.0, 1.0),
+    laws.RigidCushion(0.0, 0.5, 1.2), laws.ThesisCushion(), laws.CappedCushion(),
+)  # fmt: skip
+
+
+def world_of(dice: Random, walls: bool = True) -> World:
+    """An empty world with laws drawn by lot, walls at an odd angle half of the time."""
+    world = World(
+        Cloth(dice.uniform(0.1, 0.4), dice.uniform(0.004, 0.02), dice.uniform(0.0, 15.0)),
+        dice.choice(BALL_LAWS), dice.choice(CUSHION_LAWS), engine(),
+    )  # fmt: skip
+    if walls:
+        for wall in box(tilt=dice.choice((0.0, dice.uniform(0.0, pi)))):
+            world.add(wall)
+    return world
+
+
+def push(ball: Ball, dice: Random, speed: float) -> None:
+    """A velocity of up to `speed`, m/s, and spin with up to twice that at the surface."""
+    v = rect(dice.uniform(0.0, speed), dice.uniform(-pi, pi))
+    ball.velocity = (v.real, v.imag)
+    ball.spin = tuple(dice.uniform(-2.0, 2.0) * speed / ball.radius for _ in range(3))
+
+
+def gap(ball: Ball, world: World) -> float:
+    """From a ball to whatever is nearest in its world, metres."""
+    p = complex(*ball.position)
+    near = min((wall.distance((p.real, p.imag)) - ball.radius for wall in world.walls), default=inf)
+    return min(
+        [near] + [abs(complex(*b.position) - p) - b.radius - ball.radius for b in world.balls]
+    )
+
+
+def spot(dice: Random, world: World, radius: float) -> complex:
+    """Anywhere; often touching a ball or one or two walls of the box that is there."""
+    kind = dice.random()
+    if kind < 0.3 and world.balls:
+        other = dice.choice(world.balls)
+        return complex(*other.position) + rect(other.radius + radius, dice.uniform(-pi, pi))
+    p = complex(dice.uniform(-1.24, 1.24), dice.uniform(-1.24, 1.24))
+    for _ in range(0 if kind < 0.7 else 1 if kind < 0.9 else 2):
+        wall = dice.choice(world.walls)
+        p -= (wall.distance((p.real, p.imag)) - radius) * wall.normal
+    return p
+
+
+def scatter(world: World, balls: int, dice: Random, alike: bool) -> None:
+    """Put balls where there is room; rounding decides by how little those that touch overlap."""
+    for k in range(balls):
+        radius, mass = (RADIUS, 0.25) if alike else (dice.uniform(0.01, 0.05), dice.uniform(0.01, 1.0))
+        for _ in range(30):
+            p = spot(dice, world, radius)
+            ball = Ball(f"{k}", at=(p.real, p.imag), radius=radius, mass=mass)
+            if gap(ball, world) > -1e-15:
+                world.add(ball)
+                break
