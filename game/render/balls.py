@@ -20,7 +20,7 @@ from .turning import RACKED, Quaternion, matrix, turned, unit
 SHADES = 2048
 """Steps from the middle of a mark's axis to its side: enough for a smooth edge at 4K."""
 CELLS = (17, 9)
-"""Light changes in steps of this many cells along and across the table: highlights move with them."""
+"""Light changes in steps of this many cells along and across the table."""
 RADIUS = 0.03275
 
 
@@ -41,7 +41,7 @@ def _shades(look: BallLook, radius: float) -> NDArray[np.uint32]:
 
 
 class _Painter:
-    """Draws any ball of one radius in any orientation; what depends on the radius only lives here."""
+    """Draws any ball of one radius in any orientation; keeps what depends on the radius only."""
 
     def __init__(self, radius: float, cloth: Colour) -> None:
         self.radius, self.cloth = radius, cloth
@@ -191,7 +191,7 @@ class BallSprites:
     def draw_all(
         self, surface: pygame.Surface, places: Iterable[tuple[int, tuple[float, float]]]
     ) -> list[pygame.Rect]:
-        """Draw balls given as (index, (x, y) m), all shadows below all balls: one rectangle each."""
+        """Draw balls given as (index, (x, y) m), all shadows below all balls."""
         placed = list(places)
         shadows = [self.shadow(surface, at) for _, at in placed]
         return [

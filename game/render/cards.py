@@ -52,33 +52,40 @@ def score(
         surface.blit(ball, ball.get_rect(center=(rect.x + round(28 * s), rect.centery)))
     left = rect.x + round(50 * s)
     lift = 21 if averages else 29
+    end = _points(surface, rect, type_, points, f"/ {goal}", (strong, weak))
+    end -= round(70 * s) if share is not None else 0
+    name, averages = type_.fitted(name, 15, end - left), type_.fitted(averages, 12, end - left)
     type_.draw(surface, name, (left, rect.y + lift * s), 15, strong if playing else weak)
-    if averages:
-        type_.draw(surface, averages, (left, rect.y + 39 * s), 12, weak)
-    right = rect.right - round(14 * s)
-    tail = type_.draw(surface, f"/ {goal}", (right, rect.y + 31 * s), 15, weak, "right")
-    number = (tail.x - round(6 * s), rect.y + 36 * s)
-    shown = type_.draw(surface, points, number, 30, strong, "right")
+    type_.draw(surface, averages, (left, rect.y + 39 * s), 12, weak)
     if share is not None:
-        end = min(shown.x, tail.x - round(42 * s)) - round(8 * s)
-        _progress(
-            surface,
-            pygame.Rect(end - round(62 * s), 0, round(62 * s), round(4 * s)),
-            rect,
-            share,
-            playing,
-        )
+        bar = pygame.Rect(end + round(8 * s), 0, round(62 * s), round(4 * s))
+        bar.centery = rect.centery
+        _progress(surface, bar, share, theme.ACCENT if playing else theme.TEXT_FAINT)
     return rect
 
 
-def _progress(
-    surface: pygame.Surface, bar: pygame.Rect, rect: pygame.Rect, share: float, playing: bool
-) -> None:
-    bar.centery = rect.centery
+def _points(
+    surface: pygame.Surface,
+    rect: pygame.Rect,
+    type_: Type,
+    points: str,
+    goal: str,
+    inks: tuple[Colour, Colour],
+) -> int:
+    """Write the points and their goal at the right; return where the bar has to end."""
+    s = type_.s
+    right = rect.right - round(14 * s)
+    tail = type_.draw(surface, goal, (right, rect.y + 31 * s), 15, inks[1], "right")
+    number = (tail.x - round(6 * s), rect.y + 36 * s)
+    shown = type_.draw(surface, points, number, 30, inks[0], "right")
+    return min(shown.x, tail.x - round(42 * s)) - round(8 * s)
+
+
+def _progress(surface: pygame.Surface, bar: pygame.Rect, share: float, ink: Colour) -> None:
     shapes.bar(surface, bar, theme.LINE_TRACK)
     done = pygame.Rect(bar.x, bar.y, round(bar.w * min(max(share, 0.0), 1.0)), bar.h)
     if done.w >= bar.h:
-        shapes.bar(surface, done, theme.ACCENT if playing else theme.TEXT_FAINT)
+        shapes.bar(surface, done, ink)
 
 
 def inning(
@@ -106,10 +113,13 @@ def engine(
     card(surface, rect, s)
     light = theme.GOOD if healthy else theme.ERROR
     shapes.disc(surface, (rect.x + 18 * s, rect.y + 17 * s), 4 * s, light)
-    type_.draw(surface, first, (rect.x + 30 * s, rect.y + 21 * s), 13, theme.TEXT)
-    type_.draw(surface, second, (rect.x + 30 * s, rect.y + 39 * s), 12, theme.TEXT_SOFT)
-    end = (rect.right - 12 * s, rect.y + 39 * s)
-    type_.draw(surface, corner, end, 12, theme.TEXT_SOFT, "right")
+    left, right = rect.x + 30 * s, rect.right - 12 * s
+    type_.draw(
+        surface, type_.fitted(first, 13, right - left), (left, rect.y + 21 * s), 13, theme.TEXT
+    )
+    end = type_.draw(surface, corner, (right, rect.y + 39 * s), 12, theme.TEXT_SOFT, "right").x
+    second = type_.fitted(second, 12, end - 8 * s - left)
+    type_.draw(surface, second, (left, rect.y + 39 * s), 12, theme.TEXT_SOFT)
     return rect
 
 
@@ -127,7 +137,9 @@ def result(
     card(surface, rect, s, raised=True)
     type_.draw(surface, badge, (rect.x + 12 * s, rect.y + 42 * s), 28, tone)
     left = rect.x + max(round(58 * s), round(26 * s) + type_.width(badge, 28))
-    type_.draw(surface, first, (left, rect.y + 27 * s), 15, theme.TEXT)
+    room = rect.right - 12 * s - left
+    type_.draw(surface, type_.fitted(first, 15, room), (left, rect.y + 27 * s), 15, theme.TEXT)
+    second = type_.fitted(second, 13, room)
     type_.draw(surface, second, (left, rect.y + 47 * s), 13, theme.TEXT_SOFT)
     return rect
 
@@ -228,8 +240,11 @@ def _log_row(
         faded = mix(theme.PANEL, colour, 0.5) if when > 0 else colour
         centre = (line.x + round((56 + i * step + (2 if letters else 0)) * s), line.centery)
         tag(surface, centre, type_, faded, letter if letters else "")
-    type_.draw(surface, row.first, (line.x + (92 if letters else 82) * s, baseline), 13, ink)
-    type_.draw(surface, row.second, (line.right - 8 * s, baseline), 13, soft, "right")
+    left, right = line.x + (92 if letters else 82) * s, line.right - 8 * s
+    first = type_.fitted(row.first, 13, right - left)
+    end = type_.draw(surface, first, (left, baseline), 13, ink).right
+    second = type_.fitted(row.second, 13, right - 8 * s - end)
+    type_.draw(surface, second, (right, baseline), 13, soft, "right")
 
 
 def tag(

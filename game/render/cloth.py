@@ -38,7 +38,7 @@ def _shade(distance: Floats) -> Floats:
 
 
 def bed(layout: Layout) -> Floats:
-    """Return the light (width, height), 1 for the cloth's own colour, of the rectangle `layout.bed`."""
+    """Return the light (width, height) on `layout.bed`: 1 gives the cloth its own colour."""
     box = layout.bed
     x, y = axes(layout, *box)
     light = 0.60 + 0.49 * lamp(x, y, layout)

@@ -93,7 +93,7 @@ def _value(
 
 
 def caret_at(rect: pygame.Rect, type_: Type, value: str, x: float) -> int:
-    """Return the place in `value` nearest to the screen's `x`, for a click into an unscrolled box."""
+    """Return the place in `value` nearest to the screen's `x`, for a click into a box."""
     left = rect.right - round(12 * type_.s) - round((UNIT_COLUMN + 8) * type_.s)
     left -= type_.width(value, 20)
     return min(range(len(value) + 1), key=lambda i: abs(left + type_.width(value[:i], 20) - x))
@@ -152,7 +152,8 @@ def hint(
         type_.draw(surface, "!", (centre[0] + 0.5, baseline), 11, theme.PANEL, "centre")
         left += round(18 * s)
     ink = theme.ERROR if error else theme.TEXT_SOFT
-    type_.draw(surface, string, (left, rect.centery + type_.cap(13) / 2), 13, ink)
+    shown = type_.fitted(string, 13, rect.right - round(6 * s) - left)
+    type_.draw(surface, shown, (left, rect.centery + type_.cap(13) / 2), 13, ink)
     return rect
 
 

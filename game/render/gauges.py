@@ -32,7 +32,7 @@ def _tip_ball(radius: int, body: Colour) -> pygame.Surface:
     side = 2 * radius + 4
     normal, cover = light.normals(side, radius, side / 2)
     shade = light.diffuse(normal, 0, 0) * (1 - 0.62 * light.rim(normal))
-    kept = (shade * 0.97 / shade.max()).clip(0, 1) ** (1 / 1.5)
+    kept = (shade * 0.97 / shade.max()).clip(0, 1) ** (1 / 2.0)
     axis = np.abs(np.arange(side) + 0.5 - side / 2) / radius
     weight = np.zeros(side)
     half = 0.55 / radius

@@ -58,7 +58,7 @@ def timeline(
     lanes: Sequence[Lane],
     duration: float,
     label: str,
-    rate: str = "×1",
+    rate: str = "\u00d71",
     time: float | None = None,
     playing: bool = False,
 ) -> pygame.Rect:

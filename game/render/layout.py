@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 from pygame import Rect
 
@@ -82,7 +83,7 @@ class Layout:
         gap = self.px(8)
         edges = [self.table.x + round(i * (self.table.w + gap) / 5) for i in range(6)]
         y, height = self._fields_top, self.px(52)
-        return [Rect(a, y, b - a - gap, height) for a, b in zip(edges, edges[1:], strict=False)]
+        return [Rect(a, y, b - a - gap, height) for a, b in pairwise(edges)]
 
     @cached_property
     def timeline(self) -> Rect:

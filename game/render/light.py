@@ -12,7 +12,7 @@ from .arrays import Bytes, Floats
 from .theme import Colour
 
 LAMPS = ((0.62, 0.42, 0.95), (-0.62, 0.42, 0.95))
-"""Two lamps relative to the middle of the table, m: a little behind it, so balls are lit from above."""
+"""Two lamps relative to the middle of the table, m: behind it, so balls are lit from above."""
 GAMMA = 2.2
 
 
@@ -49,13 +49,14 @@ def diffuse(normal: Floats, x: float, y: float) -> Floats:
     for lamp in _lamps(x, y):
         far = float(np.sqrt(lamp @ lamp))
         facing = np.tensordot(lamp / far, normal, 1)
-        total += 0.62 * (0.94 * facing + 0.06).clip(0, None) ** 1.6 * (1.15 / far) ** 0.5
+        nearness = (1.15 / far) ** 0.5
+        total += 0.62 * nearness * (0.94 * facing + 0.06).clip(0, None) ** 1.6
     return np.asarray(total, np.float32)
 
 
 def rim(normal: Floats) -> Floats:
     """Return 0 in the middle to 1 at the edge."""
-    return ((1 - normal[2]) ** 2.6).astype(np.float32)
+    return np.asarray((1 - normal[2]) ** 2.6, np.float32)
 
 
 def highlight(normal: Floats, x: float, y: float) -> Floats:

@@ -7,6 +7,7 @@ Surfaces must be opaque (a window or a copy of the background); the surface's cl
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from math import atan2, cos, hypot, pi, sin
 
 import numpy as np
@@ -56,7 +57,7 @@ def _distances(
 
 def length(points: Points) -> float:
     """Return the length of a path, px."""
-    return sum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in zip(points, points[1:], strict=False))
+    return sum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in pairwise(points))
 
 
 def polyline(
@@ -231,7 +232,7 @@ def departure(
     colour: Colour,
     s: float,
 ) -> pygame.Rect:
-    """Draw the arrow that says where a ball at `centre` leaves to; `angle` is on screen, radians."""
+    """Draw the arrow of a ball leaving `centre`; `angle` is on screen, radians."""
     reach = 3.4 * radius
     ahead = (cos(angle), sin(angle))
     start = (centre[0] + ahead[0] * radius * 1.1, centre[1] + ahead[1] * radius * 1.1)

@@ -1,4 +1,4 @@
-"""The wooden rails: grain that runs along each, a satin bevel, mitred corners, diamonds of pearl."""
+"""The wooden rails: grain along each board, a satin bevel, diamonds of pearl."""
 
 from __future__ import annotations
 

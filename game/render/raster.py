@@ -7,12 +7,10 @@ edges and round joins are smooth at any width.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 import pygame
-
 from numpy.typing import NDArray
 
 from .arrays import Floats, Indices, Points

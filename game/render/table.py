@@ -1,9 +1,8 @@
-"""The opaque background: floor, wooden rails, cushions, bed and everything that never moves on it."""
+"""The opaque background: floor, wooden rails, cushions, bed and all that never moves."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-
 from typing import Any
 
 import numpy as np
@@ -73,7 +72,7 @@ def _floor_shadow(surface: pygame.Surface, layout: Layout) -> None:
 
 
 def _framed(surface: pygame.Surface, layout: Layout, colour: Colour) -> Floats:
-    """Return the table's rectangle (width, height, 3) with rails and cushions, the bed left black."""
+    """Return the table's rectangle (width, height, 3) without its bed."""
     box = layout.table
     picture = np.zeros((box.w, box.h, 3), np.float32)
     far, near, left, right = (_side(layout, i, colour) for i in range(4))

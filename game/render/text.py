@@ -17,6 +17,7 @@ whole pixels, which shows as gaps inside small words."""
 GAMMA = 0.80
 """Power on the averaged coverage, without which light strokes on dark look thin."""
 KEPT = 1500
+PART = " · "
 CAP_HEIGHT = 0.73
 """Height of a capital in em."""
 _INK = np.round(255 * (np.arange(256) / 255) ** GAMMA).astype(np.uint8)
@@ -53,6 +54,16 @@ class Type:
         if px < SMALL:
             return (self._sized(2 * px).size(string)[0] + 1) // 2
         return self._sized(px).size(string)[0]
+
+    def fitted(self, string: str, size: float, room: float) -> str:
+        """Return as much of `string` as fits into `room` px: whole parts between dots, then "…"."""
+        while self.width(string, size) > room and PART in string:
+            string = string.rpartition(PART)[0].rstrip()
+        if self.width(string, size) <= room:
+            return string
+        while string and self.width(string + "…", size) > room:
+            string = string[:-1].rstrip()
+        return string + "…" if string else ""
 
     def ascent(self, size: float) -> int:
         """Return how far the baseline lies below the top of a rendered string, px."""
