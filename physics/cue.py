@@ -1,0 +1,106 @@
+"""The cue: where and how fast the tip meets the ball, and the shot that comes of it."""
+
+from cmath import rect
+from dataclasses import dataclass
+from math import atan, cos, degrees, hypot, radians, sin, sqrt
+from typing import Protocol
+
+from .checks import finite, nonnegative, positive
+from .shot import Shot
+
+
+class Heavy(Protocol):
+    """Whatever has a mass: a ball, or a table of presets."""
+
+    @property
+    def mass(self) -> float: ...
+
+
+@dataclass(frozen=True, slots=True)
+class CueStroke:
+    """A stroke of the cue; `.shot(ball)` is what it does to a ball (docs/physics.md, "Cue").
+
+    speed of the cue, m/s; angle it points to and elevation of its butt, degrees. side and height:
+    where the tip meets the ball, in radii from the centre seen from behind. Like `Shot.side`, side
+    is positive for anticlockwise spin, so for a tip to the right of the centre; height is positive
+    above. cue_mass in kg; restitution of the tip; end_ratio: ball's mass over the mass of the
+    cue's end that moves sideways, which makes the squirt; friction of the tip.
+    ValueError for what is not finite or out of range, and for a miscue: a tip so far out that it
+    slips.
+    """
+
+    speed: float
+    angle: float = 0.0
+    side: float = 0.0
+    height: float = 0.0
+    elevation: float = 0.0
+    cue_mass: float = 0.5
+    restitution: float = 0.73
+    end_ratio: float = 25.0
+    friction: float = 0.6
+
+    def __post_init__(self) -> None:
+        for name in ("speed", "cue_mass", "end_ratio"):
+            positive(f"CueStroke.{name}", getattr(self, name))
+        for name in ("angle", "side", "height"):
+            finite(f"CueStroke.{name}", getattr(self, name))
+        for name in ("elevation", "friction", "restitution"):
+            nonnegative(f"CueStroke.{name}", getattr(self, name))
+        if self.elevation >= 90.0:
+            raise ValueError(f"CueStroke.elevation must be below 90°, not {self.elevation!r}")
+        if self.restitution > 1.0:
+            raise ValueError(f"CueStroke.restitution must be at most 1, not {self.restitution!r}")
+        if hypot(self.side, self.height) >= 1.0:
+            raise ValueError(
+                f"CueStroke.side and height, {self.side!r} and {self.height!r}, miss the ball"
+            )
+        if self.offset > self.limit:
+            raise ValueError(
+                f"miscue: CueStroke.side {self.side!r} and height {self.height!r} put the cue's"
+                f" line {self.offset:.4f} radii from the centre; this tip slips beyond"
+                f" {self.limit:.4f}"
+            )
+
+    @property
+    def lever(self) -> tuple[float, float, float]:
+        """The impulse's lever arm, in radii: about the cue's course, its left and the vertical."""
+        a, b = self.side, self.height
+        back = sqrt(1.0 - a * a - b * b)
+        up, along = sin(radians(self.elevation)), cos(radians(self.elevation))
+        return a * up, b * along - back * up, a * along
+
+    @property
+    def offset(self) -> float:
+        """How far from the ball's centre the cue's line passes, in radii."""
+        return hypot(*self.lever)
+
+    @property
+    def limit(self) -> float:
+        """The offset, in radii, beyond which the tip slips: μ / √(1 + μ²)."""
+        return self.friction / sqrt(1.0 + self.friction * self.friction)
+
+    @property
+    def squirt(self) -> float:
+        """By how much the ball leaves the cue's line, degrees; positive to the left.
+
+        It goes away from the side on which the tip meets it: tip right of the centre, ball left.
+        """
+        x = self.side
+        level = 1.0 - x * x
+        return degrees(atan(2.5 * x * sqrt(level) / (1.0 + self.end_ratio + 2.5 * level)))
+
+    def shot(self, ball: Heavy) -> Shot:
+        """The speed, course and spin that the stroke gives a resting ball of that mass."""
+        course, left, vertical = self.lever
+        kick = (1.0 + self.restitution) * self.speed / (
+            1.0 + ball.mass / self.cue_mass + 2.5 * (course**2 + left**2 + vertical**2)
+        )
+        # the spin is about the cue's axes, a Shot's about the ball's own course
+        turned = complex(left, -course) * rect(1.0, -radians(self.squirt))
+        return Shot(
+            speed=kick * cos(radians(self.elevation)),
+            angle=self.angle + self.squirt,
+            follow=2.5 * kick * turned.real,
+            masse=-2.5 * kick * turned.imag,
+            side=2.5 * kick * vertical,
+        )
