@@ -71,8 +71,8 @@ def highlight(normal: Floats, x: float, y: float) -> Floats:
     for lamp in _lamps(x, y):
         u = mirrored[0] / np.maximum(up, 0.05) - lamp[0] / lamp[2]
         v = mirrored[1] / np.maximum(up, 0.05) - lamp[1] / lamp[2]
-        inside = _smooth(-0.14, 0.14, 0.48 - np.abs(u)) * _smooth(-0.14, 0.14, 0.26 - np.abs(v))
-        total += 0.62 * inside * (up > 0.05)
+        inside = _smooth(-0.17, 0.17, 0.50 - np.abs(u)) * _smooth(-0.17, 0.17, 0.32 - np.abs(v))
+        total += 0.52 * inside * (up > 0.05)
     return total
 
 

@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 import numpy as np
 import pygame
-from numpy.typing import NDArray
 
 from .arrays import Floats, Indices, Points
 from .theme import Colour
@@ -29,59 +28,48 @@ class Touched(NamedTuple):
 
 
 def touched(points: Points, reach: float, clip: pygame.Rect) -> Touched:
-    """Return the pixels within `reach` px of the polyline `points` and inside `clip`."""
+    """Return the pixels within `reach` px of the polyline `points` and inside `clip`.
+
+    Each column a segment crosses is given a short run of pixels around its middle line; a segment
+    steeper than 45 degrees has x and y exchanged on the way in and out.
+    """
     path = np.asarray(points, np.float32).reshape(-1, 2)
     step = path[1:] - path[:-1]
     length = np.hypot(step[:, 0], step[:, 1])
     start = np.cumsum(length, dtype=np.float32) - length
-    long = length > 1e-6
-    flat = np.abs(step[:, 0]) >= np.abs(step[:, 1])
-    columns, rows = (clip.x, clip.right), (clip.y, clip.bottom)
-    x, y, away, along = _beside(path, step, length, start, flat & long, reach, columns, rows)
-    v, u, *rest = _beside(
-        path[:, ::-1], step[:, ::-1], length, start, ~flat & long, reach, rows, columns
-    )
-    return Touched(
-        np.concatenate((x, u)),
-        np.concatenate((y, v)),
-        np.concatenate((away, rest[0])),
-        np.concatenate((along, rest[1])),
-    )
-
-
-def _beside(
-    path: Floats,
-    step: Floats,
-    length: Floats,
-    start: Floats,
-    chosen: NDArray[np.bool_],
-    reach: float,
-    across: tuple[int, int],
-    down: tuple[int, int],
-) -> Touched:
-    """Return the same for the `chosen` segments, none steeper than 45 degrees.
-
-    Each column a segment crosses is given a short run of pixels around its middle line.
-    """
-    names = np.flatnonzero(chosen)
-    ends = path[names, 0], path[names, 0] + step[names, 0]
-    first = np.floor(np.minimum(*ends) - reach).clip(*across).astype(np.intp)
-    last = np.ceil(np.maximum(*ends) + reach).clip(*across).astype(np.intp)
-    count = np.maximum(last - first, 0)
-    name = np.repeat(names, count)
-    x = np.arange(count.sum()) + np.repeat(first - np.cumsum(count) + count, count)
-    ux, uy = (step[name, axis] / length[name] for axis in (0, 1))
-    dx = (x + np.float32(0.5) - path[name, 0]).astype(np.float32)
-    middle = path[name, 1] + dx * uy / ux
+    some = length > 1e-6
+    path, step, length, start = path[:-1][some], step[some], length[some], start[some]
+    steep = np.abs(step[:, 1]) > np.abs(step[:, 0])
+    path[steep], step[steep] = path[steep, ::-1], step[steep, ::-1]
+    edges = np.where(steep, clip.y, clip.x), np.where(steep, clip.bottom, clip.right)
+    name, u = _columns(path[:, 0], step[:, 0], reach, edges)
+    unit = (step / length[:, None])[name]
+    du = (u + np.float32(0.5) - path[name, 0]).astype(np.float32)
+    middle = path[name, 1] + du * unit[:, 1] / unit[:, 0]
     half = int(np.ceil(reach * 1.4143))
-    y = np.floor(middle).astype(np.intp)[:, None] + np.arange(-half, half + 1)
-    dy = (y + np.float32(0.5) - path[name, 1][:, None]).astype(np.float32)
-    along = (dx * ux)[:, None] + dy * uy[:, None]
-    beyond = along - along.clip(0, length[name][:, None])
-    away = np.hypot(dx[:, None] * uy[:, None] - dy * ux[:, None], beyond)
-    along += start[name][:, None] - beyond
-    near = (away <= reach) & (y >= down[0]) & (y < down[1])
-    return Touched(np.repeat(x, near.sum(axis=1)), y[near], away[near], along[near])
+    v = np.floor(middle).astype(np.intp)[:, None] + np.arange(-half, half + 1)
+    dv = (v + np.float32(0.5) - path[name, 1, None]).astype(np.float32)
+    along = (du * unit[:, 0])[:, None] + dv * unit[:, 1, None]
+    beyond = along - along.clip(0, length[name, None])
+    away = np.hypot(du[:, None] * unit[:, 1, None] - dv * unit[:, 0, None], beyond)
+    along += start[name, None] - beyond
+    sides = np.where(steep, clip.x, clip.y), np.where(steep, clip.right, clip.bottom)
+    near = (away <= reach) & (v >= sides[0][name, None]) & (v < sides[1][name, None])
+    count = near.sum(axis=1)
+    u, v, turned = np.repeat(u, count), v[near], np.repeat(steep[name], count)
+    return Touched(np.where(turned, v, u), np.where(turned, u, v), away[near], along[near])
+
+
+def _columns(
+    begin: Floats, step: Floats, reach: float, edges: tuple[Indices, Indices]
+) -> tuple[Indices, Indices]:
+    """Return segment and column of every column that segments come within `reach` of."""
+    end = begin + step
+    first = np.floor(np.minimum(begin, end) - reach).astype(np.intp).clip(*edges)
+    last = np.ceil(np.maximum(begin, end) + reach).astype(np.intp).clip(*edges)
+    count = last - first
+    name = np.repeat(np.arange(len(begin)), count)
+    return name, np.arange(len(name)) + (first - np.cumsum(count) + count)[name]
 
 
 _peaks: dict[int, Floats] = {}
