@@ -1,0 +1,159 @@
+"""The one aim state: five texts, the numbers they mean, and which box is being edited."""
+
+from __future__ import annotations
+
+import unicodedata
+from dataclasses import dataclass, field
+from math import isfinite
+
+from physics import Shot
+
+BOXES = ("speed", "follow", "masse", "side", "angle")
+"""V, Wx·R, Wy·R, Wz·R and the angle, as `physics.Shot` calls them, in the order of the boxes."""
+MOST = {"speed": 50.0, "follow": 100.0, "masse": 100.0, "side": 100.0, "angle": 3600.0}
+"""Largest size of each number: far beyond any cue, and what the window can still follow."""
+LONGEST = 16
+"""Characters a box takes."""
+MINUS = "\u2212"
+ALLOWED = frozenset("0123456789.+-e")
+START = ("2.50", "0", "0", "0", "0")
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """Why a box has no usable number: "empty" "number" "finite" "positive" or "most"."""
+
+    box: int
+    reason: str
+
+
+def typed(text: str) -> str:
+    """Return what may enter a box: full-width forms become plain ones, other characters go."""
+    plain = unicodedata.normalize("NFKC", text).replace(MINUS, "-").lower()
+    return "".join(c for c in plain if c in ALLOWED)
+
+
+def shown(text: str) -> str:
+    """Return a text as it is drawn: the true minus is as wide as plus."""
+    return text.replace("-", MINUS)
+
+
+def plain(number: float, places: int = 2) -> str:
+    """Return a number as text for a box: rounded, without zeros that say nothing."""
+    text = f"{number:.{places}f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text
+
+
+def fault(box: int, text: str) -> Fault | None:
+    """Return what is wrong with the text of a box, or None."""
+    if not text.strip():
+        return Fault(box, "empty")
+    try:
+        number = float(unicodedata.normalize("NFKC", text).replace(MINUS, "-").replace("_", "?"))
+    except ValueError:
+        return Fault(box, "number")
+    if not isfinite(number):
+        return Fault(box, "finite")
+    if BOXES[box] == "speed" and number <= 0.0:
+        return Fault(box, "positive")
+    if abs(number) > MOST[BOXES[box]]:
+        return Fault(box, "most")
+    return None
+
+
+@dataclass(slots=True)
+class Aim:
+    """What the next shot will be.
+
+    `box` is the one being edited, or None in play; `fresh` says that the next character replaces its
+    text; `complete` that RETURN may shoot, once; `wrong` that an entry was refused and no good shot
+    has followed yet.
+    """
+
+    texts: list[str] = field(default_factory=lambda: list(START))
+    box: int | None = None
+    fresh: bool = False
+    complete: bool = True
+    wrong: bool = False
+    left: set[int] = field(default_factory=set)
+    """Boxes that have been left since editing began: only their faults are shown."""
+
+    @property
+    def faults(self) -> list[Fault]:
+        """Everything that keeps the entry from being a shot, in the order of the boxes."""
+        found = (fault(i, text) for i, text in enumerate(self.texts))
+        return [f for f in found if f is not None]
+
+    @property
+    def shown_faults(self) -> list[Fault]:
+        """The faults to point at: not those of boxes the player has not come to yet."""
+        if self.wrong:
+            return self.faults
+        return [f for f in self.faults if f.box in self.left and f.box != self.box]
+
+    @property
+    def shot(self) -> Shot | None:
+        """The shot that the five texts mean, or None."""
+        if self.faults:
+            return None
+        numbers = [float(text.replace(MINUS, "-")) for text in self.texts]
+        return Shot(**dict(zip(BOXES, numbers, strict=True)))
+
+    def edit(self, box: int = 0, clear: bool = False) -> None:
+        """Begin or go on editing at `box`; `clear` empties all five first."""
+        if clear:
+            self.texts = [""] * len(BOXES)
+        if self.box is None:
+            self.left = set()
+        else:
+            self.left.add(self.box)
+        self.box, self.fresh, self.complete = box % len(BOXES), True, False
+
+    def type(self, text: str) -> None:
+        """Append characters to the box; the first one replaces what was selected."""
+        if self.box is None:
+            return
+        kept = "" if self.fresh else self.texts[self.box]
+        added = typed(text)
+        if added:
+            self.texts[self.box] = (kept + added)[:LONGEST]
+            self.fresh = False
+
+    def erase(self) -> None:
+        """Delete the last character of the box, or all of it while it is selected."""
+        if self.box is None:
+            return
+        self.texts[self.box] = "" if self.fresh else self.texts[self.box][:-1]
+        self.fresh = False
+
+    def enter(self) -> None:
+        """Go to the next box; after the last one the entry is complete, if it can be read."""
+        if self.box is None:
+            return
+        if self.box < len(BOXES) - 1:
+            self.edit(self.box + 1)
+        else:
+            self.leave()
+            self.finish()
+
+    def leave(self) -> None:
+        """Stop editing."""
+        if self.box is not None:
+            self.left.add(self.box)
+        self.box, self.fresh = None, False
+
+    def finish(self) -> bool:
+        """Declare the entry complete; returns whether it can be shot."""
+        self.complete = not self.faults
+        self.wrong = self.wrong or not self.complete
+        return self.complete
+
+    def put(self, **numbers: float) -> None:
+        """Write numbers into boxes by name, rounded to what a box shows."""
+        for name, number in numbers.items():
+            self.texts[BOXES.index(name)] = plain(number)
+
+    def spent(self) -> None:
+        """The shot has been played: the next one needs a new entry."""
+        self.complete = self.wrong = False
+        self.left = set()

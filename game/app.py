@@ -1,0 +1,189 @@
+"""The window and its loop: handle (events to actions), update (physics), render (what changed)."""
+
+from __future__ import annotations
+
+import os
+import sys
+from dataclasses import dataclass
+
+import pygame
+
+from .actions import Action, of_key, of_text
+from .clock import RealClock, VirtualClock, seconds
+from .options import Options
+from .play import Game
+from .script import Script
+from .setup import size as table_size
+from .ui.view import View
+
+TITLE = "danggu"
+WM_CLASS = "billiards"
+MOUSE = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
+RESIZED = (pygame.VIDEORESIZE, pygame.WINDOWSIZECHANGED)
+EXPOSED = (pygame.VIDEOEXPOSE, pygame.WINDOWEXPOSED)
+
+
+@dataclass(slots=True)
+class Stats:
+    """What the loop has done."""
+
+    drawn: int = 0
+    skipped: int = 0
+    events: int = 0
+
+    def line(self, game: Game) -> str:
+        """All of it in a line."""
+        return (
+            f"frames drawn {self.drawn}, frames skipped {self.skipped}, "
+            f"physics calls {game.calls}, events {self.events}"
+        )
+
+
+def prepare_environment() -> None:
+    """Tell SDL how to open the window; what the user has set stays."""
+    os.environ.setdefault("SDL_VIDEO_X11_WMCLASS", WM_CLASS)
+    if sys.platform.startswith("linux"):
+        # with software GL a flip takes 8 to 19 ms, without it 0.2, and dirty rectangles become real
+        os.environ.setdefault("SDL_FRAMEBUFFER_ACCELERATION", "0")
+
+
+class App:
+    """A game in a window."""
+
+    def __init__(self, game: Game, options: Options, script: Script | None = None) -> None:
+        prepare_environment()
+        pygame.display.init()
+        pygame.font.init()
+        self.game, self.options = game, options
+        self.script = script or Script([])
+        self.screen = pygame.display.set_mode(options.size, pygame.RESIZABLE)
+        pygame.display.set_caption(TITLE)
+        self.stats = Stats()
+        self.view = View(game, self.screen.get_size(), *table_size(game.world))
+        self.clock = (VirtualClock if options.virtual else RealClock)(options.fps)
+        self.actions: list[tuple[int, Action]] = []
+        self._shown_version = -1
+        self._typing: bool | None = None
+        self._sync_typing()
+
+    def run(self) -> None:
+        """Play until the window is closed, or for the number of frames asked for."""
+        frames = 0
+        busy = True
+        while not self.game.over and frames != self.options.frames:
+            busy = self.frame(self.clock.frame(busy))
+            frames += 1
+
+    def frame(self, ticks: int) -> bool:
+        """One frame that lasts `ticks`; returns whether anything happened in it."""
+        before = self.stats.events
+        for event in pygame.event.get():
+            self.handle(event)
+        end = self.game.tick + ticks
+        for line in self.script.due(end):
+            self.update(line.tick - self.game.tick)
+            for event in line.events:
+                self.handle(event)
+        self.update(end - self.game.tick)
+        return self.render() or self.stats.events != before
+
+    # -- handle --------------------------------------------------------------------------------
+
+    def handle(self, event: pygame.event.Event) -> None:
+        """Turn one event into what it means."""
+        self.stats.events += 1
+        if event.type == pygame.QUIT:
+            self.perform(Action("quit"))
+        elif event.type == pygame.KEYDOWN:
+            self._key(event)
+        elif event.type == pygame.TEXTINPUT:
+            self._text(event)
+        elif event.type in MOUSE:
+            self._mouse(event)
+        elif event.type in RESIZED:
+            self._resize()
+        elif event.type in EXPOSED:
+            self.view.expose()
+            self._shown_version = -1
+
+    def perform(self, action: Action | None) -> None:
+        """Do an action and note it with its tick."""
+        if action is not None:
+            self.actions.append((self.game.tick, action))
+            self.game.perform(action)
+            self._sync_typing()
+
+    def _key(self, event: pygame.event.Event) -> None:
+        if self.game.help:
+            if event.key in (pygame.K_F1, pygame.K_ESCAPE, pygame.K_RETURN):
+                self.perform(Action("help"))
+            elif event.key == pygame.K_F2:
+                self.perform(Action("language"))
+            return
+        self.perform(of_key(event, self.game.aim.box))
+
+    def _text(self, event: pygame.event.Event) -> None:
+        if not self.game.help:
+            self.perform(of_text(event, self.game.aim.box))
+
+    def _mouse(self, event: pygame.event.Event) -> None:
+        if self.game.help:
+            if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+                self.perform(Action("help"))
+        elif event.type == pygame.MOUSEMOTION:
+            changed = self.view.hover(event.pos)
+            self._shown_version -= changed
+            self.perform(self.view.drag(event.pos))
+        elif event.button == 1:
+            self._shown_version -= 1
+            if event.type == pygame.MOUSEBUTTONDOWN:
+                self.perform(self.view.press(event.pos))
+            else:
+                self.view.release()
+
+    def _resize(self) -> None:
+        size = pygame.display.get_window_size()
+        if size != self.view.sight.layout.size:
+            self.screen = pygame.display.get_surface() or self.screen
+            self.view.resize(self.screen.get_size())
+            self._shown_version = -1
+
+    def _sync_typing(self) -> None:
+        """Take text only while a box is edited, so that an input method cannot swallow shortcuts."""
+        typing = self.game.aim.box is not None
+        if typing != self._typing:
+            self._typing = typing
+            (pygame.key.start_text_input if typing else pygame.key.stop_text_input)()
+
+    # -- update --------------------------------------------------------------------------------
+
+    def update(self, ticks: int) -> None:
+        """Let time pass in the game and roll the balls in the picture."""
+        time = self.game.world.time
+        self.game.advance(ticks)
+        if self.game.world.time != time:
+            self.view.stage.roll(self.game, self.game.world.time - time)
+
+    # -- render --------------------------------------------------------------------------------
+
+    def render(self) -> bool:
+        """Draw what changed, if anything did; returns whether something was drawn."""
+        if self._shown_version == self.game.version:
+            self.stats.skipped += 1
+            return False
+        self._shown_version = self.game.version
+        dirty = self.view.draw(self.screen)
+        if not dirty:
+            self.stats.skipped += 1
+            return False
+        pygame.display.update(dirty)
+        self.stats.drawn += 1
+        return True
+
+    def save(self, path: str) -> None:
+        """Write the picture to a file; pygame.error or OSError if that cannot be."""
+        pygame.image.save(self.screen, path)
+
+    def report(self) -> str:
+        """The counts of frames, calls and events, and how long the game has run."""
+        return f"{self.stats.line(self.game)}, game time {seconds(self.game.tick):.2f} s"

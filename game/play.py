@@ -1,0 +1,292 @@
+"""The game without a window: what an action does, and what a stretch of time does."""
+
+from __future__ import annotations
+
+import random
+from cmath import phase
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import degrees, hypot
+
+from physics import EventBudgetError, State, World
+
+from . import setup
+from .actions import Action
+from .aim import BOXES, Aim, plain
+from .clock import TICKS, seconds, shares
+from .preview import Preview, preview
+
+FRAME = TICKS // 60
+"""What a single frame is while the game is paused."""
+READING = TICKS // 10
+"""How often the read-outs change while balls move: faster cannot be read."""
+
+MOST_TRACED = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """Something to tell the player: a key of the texts, and whether it is an error."""
+
+    key: str
+    error: bool = False
+
+
+class Game:
+    """World, aim and everything else that actions change.  It never looks at a clock."""
+
+    def __init__(self, world: World, substeps: int = 6, seed: int = 0, table: str = "medium") -> None:
+        self.world, self.substeps, self.table = world, substeps, table
+        self.cue = setup.cue_ball(world)
+        self.aim = Aim()
+        self.engine, self.law = "exact", setup.law_of(world)
+        self.paused = self.help = self.over = False
+        self.language = "en"
+        self.notice: Notice | None = None
+        self.tick = self.shots = self.calls = 0
+        self.began = world.time
+        self.shown_shot = False
+        """Is the last shot on show, rather than the next one?"""
+        self.version = 0
+        """Goes up with every change: equal versions look the same."""
+        self._rng = random.Random(seed)
+        self._own = (world.ball_law, world.cushion_law)
+        self._lay = self._layout()
+        self._preview: tuple[object, Preview | None] = (None, None)
+        self._previews = 0
+        self.moving = self._moves()
+        if self.moving:
+            self._take_over_launch()
+        self._read()
+
+    # -- what an action does -------------------------------------------------------------------
+
+    def perform(self, action: Action) -> None:
+        """Do what the player wants; anything unknown raises KeyError."""
+        handler: Callable[..., None] = self._handlers[action.name]
+        if action.name not in ("language", "help"):
+            self.notice = None
+        if action.value is None:
+            handler(self)
+        else:
+            handler(self, action.value)
+        self.version += 1
+
+    def _edit(self, box: int = 0) -> None:
+        self.shown_shot = False
+        self.aim.edit(box)
+
+    def _clear(self) -> None:
+        self.shown_shot = False
+        self.aim.edit(0, clear=True)
+
+    def _type(self, text: str) -> None:
+        if self.aim.box is None:
+            self._edit()
+        self.aim.type(text)
+
+    def _erase(self) -> None:
+        self.aim.erase()
+
+    def _enter(self) -> None:
+        self.aim.enter()
+        if self.aim.complete:
+            self.notice = Notice("complete")
+
+    def _leave(self) -> None:
+        self.aim.leave()
+
+    def _shoot(self) -> None:
+        """RETURN in play: one shot for each completed entry."""
+        if self.aim.complete:
+            self._strike()
+        elif not self.aim.wrong:
+            self.shown_shot = self.shown_shot and self.moving
+            self.notice = Notice("spent")
+
+    def _fire(self) -> None:
+        """Complete the entry as it stands, and shoot."""
+        self.aim.leave()
+        if self.aim.finish():
+            self._strike()
+
+    def _strike(self) -> None:
+        shot = self.aim.shot
+        assert shot is not None, "a complete entry can be read"
+        if not self.moving:
+            self._lay = self._layout()
+        self.world.log.clear()
+        self.began = self.world.time
+        self.world.strike(self.cue, shot)
+        self.aim.spent()
+        self.shots += 1
+        self.moving = self.shown_shot = True
+        self._read()
+
+    def _place(self) -> None:
+        spots = setup.places(self.world, self._rng)
+        self._put([State(at, (0.0, 0.0), (0.0, 0.0, 0.0)) for at in spots])
+
+    def _stop(self) -> None:
+        self.world.stop()
+        self.moving = False
+        self._read()
+
+    def _retry(self) -> None:
+        """The balls go back to where they lay before the last shot; the same entry may be shot."""
+        self._put(self._lay)
+        self.aim.leave()
+        if not self.moving:
+            self.aim.finish()
+
+    def _pause(self) -> None:
+        self.paused = not self.paused
+
+    def _frame(self) -> None:
+        self.paused = True
+        self._run(FRAME)
+
+    def _engine(self) -> None:
+        keys = list(setup.ENGINES)
+        self.choose_engine(keys[(keys.index(self.engine) + 1) % len(keys)])
+
+    def _law(self) -> None:
+        keys = [*setup.LAWS]
+        after = keys.index(self.law) + 1 if self.law in keys else 0
+        self.choose_law(keys[after % len(keys)])
+
+    def _language(self) -> None:
+        self.language = "ko" if self.language == "en" else "en"
+
+    def _help(self) -> None:
+        self.help = not self.help
+
+    def _quit(self) -> None:
+        self.over = True
+
+    def _set(self, value: str) -> None:
+        """Write numbers into boxes by their names ("side 1.5 follow 0.5"), as the mouse does."""
+        words = value.split()
+        if self.moving:
+            return
+        self.shown_shot = False
+        self.aim.put(**{n: float(v) for n, v in zip(words[::2], words[1::2], strict=True)})
+        self.aim.leave()
+        if not self.aim.faults:
+            self.aim.finish()
+
+    def choose_engine(self, key: str) -> None:
+        """Continue with another engine."""
+        self.world.engine = setup.ENGINES[key]()
+        self.engine = key
+
+    def choose_law(self, key: str) -> None:
+        """Continue with another law set; the set a table came with returns with its own numbers."""
+        kinds = setup.LAWS[key]
+        ball, cushion = kinds.ball(), kinds.cushion()
+        if (type(self._own[0]), type(self._own[1])) == (type(ball), type(cushion)):
+            ball, cushion = self._own
+        self.world.ball_law, self.world.cushion_law = ball, cushion
+        self.law = key
+
+    # -- what time does ------------------------------------------------------------------------
+
+    def advance(self, ticks: int) -> None:
+        """Let time pass: at most `substeps` calls of `world.step`, none while nothing moves."""
+        self.tick += ticks
+        if self.moving and not (self.paused or self.help):
+            self._run(ticks)
+
+    def _run(self, ticks: int) -> None:
+        if not self.moving:
+            return
+        before = self.tick // READING
+        for share in shares(ticks, self.substeps):
+            if not self.moving:
+                break
+            self._step(seconds(share))
+        self.version += 1
+        if not self.moving or self.paused or (self.tick - ticks) // READING != before:
+            self._read()
+
+    def _step(self, dt: float) -> None:
+        self.calls += 1
+        try:
+            self.world.step(dt)
+        except EventBudgetError:
+            self.world.stop()
+            self.notice = Notice("budget", error=True)
+        self.moving = self._moves()
+
+    # -- what there is to see ------------------------------------------------------------------
+
+    @property
+    def preview(self) -> Preview | None:
+        """What the shot in the boxes would do, by the engine itself; None while there is none."""
+        shot = None if self.moving else self.aim.shot
+        key = (shot, self._layout(), self.engine, self.law)
+        if key != self._preview[0]:
+            self._preview = key, preview(self.world, self.cue, shot) if shot else None
+            self._previews += 1
+        return self._preview[1]
+
+    @property
+    def preview_number(self) -> int:
+        """Which preview this is: another number, another preview."""
+        _ = self.preview
+        return self._previews
+
+    @property
+    def traced(self) -> tuple[str, ...]:
+        """The balls whose traces are shown: all, unless there are so many that nobody could tell."""
+        names = tuple(ball.name for ball in self.world.balls)
+        return names if len(names) <= MOST_TRACED else (self.cue,)
+
+    def _moves(self) -> bool:
+        """Does anything move, roll or spin on the spot?"""
+        return any(ball.phase != "resting" or ball.spin[2] != 0.0 for ball in self.world.balls)
+
+    def _layout(self) -> list[State]:
+        return [State(b.position, b.velocity, b.spin) for b in self.world.balls]
+
+    def _put(self, states: Sequence[State]) -> None:
+        """Put all balls back; those of a scene that had begun in motion move again."""
+        self.world.stop()
+        for ball, state in zip(self.world.balls, states, strict=True):
+            ball.position, ball.velocity, ball.spin = state
+        self.world.log.clear()
+        self.began = self.world.time
+        self.moving = self.shown_shot = self._moves()
+        self._read()
+
+    def _read(self) -> None:
+        """Take the read-outs, |v|, |ω|R and |ωz|R of the cue ball in m/s, and the time of the shot."""
+        ball = self.world.ball(self.cue)
+        wx, wy, wz = ball.spin
+        self.readout = hypot(*ball.velocity), hypot(wx, wy, wz) * ball.radius, abs(wz) * ball.radius
+        log = self.world.log
+        now = self.world.time if self.moving or not len(log) else log[-1].time
+        self.readout_time = now - self.began if self.shown_shot else 0.0
+
+    def _take_over_launch(self) -> None:
+        """Write into the boxes what a scene has already given to the cue ball."""
+        ball = self.world.ball(self.cue)
+        v = complex(*ball.velocity)
+        if v:
+            ahead = v / abs(v)
+            wx, wy, wz = (w * ball.radius for w in ball.spin)
+            spin = complex(wx, wy) / ahead
+            angle = degrees(phase(v))
+            numbers = (abs(v), spin.imag, spin.real, wz, angle)
+            self.aim.texts = [plain(n, 3) for n in numbers]
+        self.aim.spent()
+        self.shown_shot = True
+        self.began = self.world.time
+
+    _handlers = {
+        "edit": _edit, "clear": _clear, "type": _type, "erase": _erase, "enter": _enter,
+        "leave": _leave, "shoot": _shoot, "fire": _fire, "place": _place, "stop": _stop,
+        "retry": _retry, "pause": _pause, "frame": _frame, "engine": _engine, "law": _law,
+        "language": _language, "help": _help, "quit": _quit, "set": _set,
+    }  # fmt: skip
+

@@ -1,0 +1,189 @@
+"""What a shot does, told from its log: paths, marks and first contact.  The preview is the engine."""
+
+from __future__ import annotations
+
+from cmath import phase
+from dataclasses import dataclass
+from math import degrees
+
+from physics import Event, EventBudgetError, Leg, Log, Shot, World, simulate
+
+Place = tuple[float, float]
+
+CURVE = 12
+"""Points on a curved leg: the chord of the longest slide stays within a pixel of the arc at 4K."""
+MOST_CUSHIONS = 5
+"""Cushions after which a previewed path ends: three-cushion shots need three, four help."""
+SAME = 0.02
+"""Seconds: contacts with one ball that follow each other faster are one contact to the eye."""
+MOVED = 1e-9
+"""Metres: a leg shorter than this is a ball that lies still."""
+
+
+@dataclass(frozen=True, slots=True)
+class Lane:
+    """A ball's time: (from, to, mean speed) of each leg on which it moved."""
+
+    name: str
+    legs: tuple[tuple[float, float, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Story:
+    """What happened since a shot; times count from it, seconds, and places are in metres."""
+
+    paths: dict[str, tuple[Place, ...]]
+    lanes: tuple[Lane, ...]
+    events: tuple[Event, ...]
+    duration: float
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """The first ball the cue ball meets: where both are then, and where they leave to.
+
+    overlap is the thickness, 0 to 1, negative when the cue ball passes on the left of the other;
+    cut is the angle between its way and the line of centres, degrees; index counts in the events.
+    """
+
+    ball: str
+    ghost: Place
+    other: Place
+    leaves: tuple[Place, Place]
+    overlap: float
+    cut: float
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Preview:
+    """A shot that has not been played.
+
+    way: the cue ball's path to its first contact, beyond: from there to the `decision` (seconds): the
+    second ball it meets, its last cushion that is worth drawing, or its rest; path: the object ball's.
+    bounces: where the cue ball meets cushions until the decision, and the wall's outward normal.
+    """
+
+    story: Story
+    contact: Contact | None
+    way: tuple[Place, ...]
+    beyond: tuple[Place, ...]
+    path: tuple[Place, ...]
+    bounces: tuple[tuple[Place, Place], ...]
+    decision: float
+
+
+def preview(world: World, cue: str, shot: Shot) -> Preview | None:
+    """Play the shot on a copy; None if it has more events than the engine allows."""
+    try:
+        after = simulate(world, cue, shot)
+    except EventBudgetError:
+        return None
+    since = world.time
+    told = story(after.log, since, after.time)
+    radii = {ball.name: ball.radius for ball in world.balls}
+    contact = _first_contact(told.events, cue, radii)
+    met = told.events[contact.index].time if contact else None
+    decision = _decision(told, cue, met)
+    way = path(after.log, cue, since, since + (decision if met is None else met))
+    beyond = path(after.log, cue, since + met, since + decision) if met is not None else ()
+    ahead = path(after.log, contact.ball, since + met, since + decision) if contact and met else ()
+    return Preview(told, contact, way, beyond, ahead, _bounces(told, cue, decision, world), decision)
+
+
+def _decision(told: Story, cue: str, met: float | None) -> float:
+    """When the preview ends, seconds."""
+    cushions = 0
+    for event in told.events:
+        if cue not in event.balls:
+            continue
+        if event.kind == "ball" and met is not None and event.time > met + SAME:
+            return event.time
+        cushions += event.kind == "cushion"
+        if event.kind == "rest" or cushions == MOST_CUSHIONS:
+            return event.time
+    return told.duration
+
+
+def _bounces(
+    told: Story, cue: str, until: float, world: World
+) -> tuple[tuple[Place, Place], ...]:
+    normals = {wall.name: wall.normal for wall in world.walls}
+    found = []
+    for event in told.events:
+        if event.kind == "cushion" and event.balls == (cue,) and event.time <= until:
+            out = -normals[event.wall]
+            found.append((event.after[0].position, (out.real, out.imag)))
+    return tuple(found)
+
+
+def story(log: Log, since: float, now: float) -> Story:
+    """Tell the log of one shot from `since` to `now`, world seconds."""
+    events = tuple(e._replace(time=e.time - since) for e in log)
+    paths, lanes = {}, []
+    for name in log.names:
+        moved = _moved(log, name, since, now)
+        if moved:
+            paths[name] = path(log, name, since, now)
+        legs = tuple((a - since, b - since, _pace(leg, a, b)) for leg, a, b in moved)
+        lanes.append(Lane(name, legs))
+    return Story(paths, tuple(lanes), events, max((e.time for e in events), default=0.0))
+
+
+def path(log: Log, name: str, since: float, until: float) -> tuple[Place, ...]:
+    """The way of a ball between two world times as points; straight legs are two."""
+    moved = _moved(log, name, since, until)
+    return tuple(p for leg, a, b in moved for p in _points(leg, a - leg.time, b - leg.time))
+
+
+def _moved(log: Log, name: str, since: float, until: float) -> list[tuple[Leg, float, float]]:
+    """The legs on which a ball got anywhere, each with the times between which it was on it."""
+    legs = log.legs(name)
+    ends = [leg.time for leg in legs[1:]] + [until]
+    spans = ((leg, max(leg.time, since), min(end, until)) for leg, end in zip(legs, ends, strict=True))
+    return [(leg, a, b) for leg, a, b in spans if b > a and _far(leg, a, b)]
+
+
+def _place(leg: Leg, t: float) -> complex:
+    return leg.position + t * (leg.velocity + 0.5 * t * leg.acceleration)
+
+
+def _far(leg: Leg, a: float, b: float) -> bool:
+    start = leg.time
+    return abs(_place(leg, b - start) - _place(leg, a - start)) > MOVED
+
+
+def _pace(leg: Leg, a: float, b: float) -> float:
+    start = leg.time
+    return abs(_place(leg, b - start) - _place(leg, a - start)) / (b - a)
+
+
+def _points(leg: Leg, a: float, b: float) -> list[Place]:
+    """A leg as points; a straight one is its two ends."""
+    v, g = leg.velocity, leg.acceleration
+    bend = abs((v.conjugate() * g).imag)
+    steps = CURVE if bend > 1e-9 * abs(v) * abs(g) else 1
+    spots = (_place(leg, a + (b - a) * k / steps) for k in range(steps + 1))
+    return [(p.real, p.imag) for p in spots]
+
+
+def _first_contact(events: tuple[Event, ...], cue: str, radii: dict[str, float]) -> Contact | None:
+    for index, event in enumerate(events):
+        if event.kind == "ball" and cue in event.balls:
+            mine = event.balls.index(cue)
+            return _contact(event, mine, index, radii)
+    return None
+
+
+def _contact(event: Event, mine: int, index: int, radii: dict[str, float]) -> Contact:
+    ball = event.balls[1 - mine]
+    own, other = event.before[mine], event.before[1 - mine]
+    line = complex(other.position[0] - own.position[0], other.position[1] - own.position[1])
+    way = complex(*own.velocity) - complex(*other.velocity)
+    turn = phase(line / way) if way else 0.0
+    aside = abs(line) * abs((line / abs(line) / (way / abs(way))).imag) if way else 0.0
+    overlap = 1.0 - aside / (radii[ball] + radii[event.balls[mine]])
+    leaves = (event.after[mine].velocity, event.after[1 - mine].velocity)
+    signed = -overlap if turn < 0 else overlap
+    return Contact(ball, own.position, other.position, leaves, signed, abs(degrees(turn)), index)
+

@@ -1,0 +1,117 @@
+"""Tables to begin with: worlds with their balls on them, and the law sets and engines to choose from."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import physics
+from physics import Ball, EventDriven, World, laws, scenes, tables
+
+Place = tuple[float, float]
+
+TABLES = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM}
+BALLS: dict[str, Place] = {
+    "white": (-0.22, -0.24),
+    "yellow": (0.33, -0.06),
+    "red1": (0.05, 0.07),
+    "red2": (-0.34, 0.26),
+}
+"""Where the balls lie at the start, as shares of the table's length and width."""
+THREE = ("white", "yellow", "red1")
+TRIES = 10_000
+"""Random places tried for one ball before giving up: a quarter of a table is never that full."""
+
+
+@dataclass(frozen=True, slots=True)
+class LawSet:
+    """A law for balls and one for cushions, chosen together."""
+
+    key: str
+    ball: Callable[[], laws.BallLaw]
+    cushion: Callable[[], laws.CushionLaw]
+
+
+LAWS = {
+    law.key: law
+    for law in (
+        LawSet("rigid", laws.RoughBall, laws.RigidCushion),
+        LawSet("thesis", laws.ThesisBall, laws.ThesisCushion),
+        LawSet("capped", laws.SmoothBall, laws.CappedCushion),
+    )
+}
+ENGINES: dict[str, Callable[[], Any]] = {
+    "exact": EventDriven,
+    "thesis": lambda: physics.TimeStepping(dt=1 / 180),
+}
+SCENES = scenes.SCENES
+
+
+def table_world(key: str) -> World:
+    """A table with its balls at rest: four, or three on the match table."""
+    table = TABLES[key]
+    world = table.world()
+    for name, (x, y) in BALLS.items():
+        if key == "match" and name not in THREE:
+            continue
+        at = (x * table.length, y * table.width)
+        world.add(Ball(_name(key, name), at, radius=table.radius, mass=table.mass))
+    return world
+
+
+def _name(key: str, name: str) -> str:
+    """With one red ball it is just red."""
+    return "red" if key == "match" and name == "red1" else name
+
+
+def size(world: World) -> Place:
+    """Length and width between the noses of the four sides, metres."""
+    sides = {wall.name: wall.offset for wall in world.walls}
+    return -sides["west"] - sides["east"], -sides["south"] - sides["north"]
+
+
+def cue_ball(world: World) -> str:
+    """Name of the ball that is shot: white, or cue, or the first one."""
+    names = [ball.name for ball in world.balls]
+    return next((name for name in ("white", "cue") if name in names), names[0])
+
+
+def law_of(world: World) -> str:
+    """Key of the law set whose kinds of law the world has, or of none ("own")."""
+    kinds = (type(world.ball_law), type(world.cushion_law))
+    return next((key for key, law in LAWS.items() if (law.ball, law.cushion) == kinds), "own")
+
+
+def places(world: World, rng: random.Random) -> list[Place]:
+    """Random places for all balls, one after the other in each quadrant; none overlap.
+
+    Raises ValueError naming the ball that found no room.
+    """
+    length, width = size(world)
+    found: list[tuple[Place, float]] = []
+    quadrants = rng.sample(range(4), 4)
+    for i, ball in enumerate(world.balls):
+        quadrant = quadrants[i % 4]
+        for _ in range(TRIES):
+            at = _somewhere(rng, quadrant, length / 2, width / 2, ball.radius)
+            if _fits(at, ball.radius, found, world):
+                found.append((at, ball.radius))
+                break
+        else:
+            raise ValueError(f"no room for ball {ball.name!r}")
+    return [at for at, _ in found]
+
+
+def _somewhere(rng: random.Random, quadrant: int, x: float, y: float, radius: float) -> Place:
+    """A place in a quadrant (bit 0 right, bit 1 far) at which a ball crosses none of its edges."""
+    at = rng.uniform(radius, x - radius), rng.uniform(radius, y - radius)
+    return (at[0] if quadrant & 1 else -at[0]), (at[1] if quadrant & 2 else -at[1])
+
+
+def _fits(at: Place, radius: float, others: list[tuple[Place, float]], world: World) -> bool:
+    apart = all(
+        (at[0] - p[0]) ** 2 + (at[1] - p[1]) ** 2 >= (radius + r) ** 2 for p, r in others
+    )
+    return apart and all(wall.distance(at) >= radius for wall in world.walls)

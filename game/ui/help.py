@@ -1,0 +1,105 @@
+"""The page of keys, laid over the table until it is closed."""
+
+from __future__ import annotations
+
+import pygame
+
+from game.render import shapes
+from game.render.layout import Layout
+from game.render.text import Type
+from game.render.theme import ACCENT, LINE_TRACK, PANEL, PANEL_RAISED, TEXT, TEXT_SOFT
+from game.text import words
+
+ROW = 25
+KEY_COLUMN = 112
+Rows = tuple[tuple[str, str], ...]
+LEFT_COLUMN: tuple[tuple[str, Rows], ...] = (
+    (
+        "help.play",
+        (
+            ("←", "help.left"),
+            ("→", "help.right"),
+            ("name.digits", "help.digit"),
+            ("name.enter", "help.return"),
+            ("Ctrl+{name.enter}", "help.ctrl"),
+            ("↓", "help.down"),
+            ("name.space", "help.space"),
+            ("R", "help.retry"),
+            ("P", "help.pause"),
+            (".", "help.frame"),
+            ("E", "help.engine"),
+            ("L", "help.law"),
+        ),
+    ),
+)
+RIGHT_COLUMN: tuple[tuple[str, Rows], ...] = (
+    (
+        "help.box",
+        (
+            ("name.enter", "help.next"),
+            ("name.back", "help.back"),
+            ("Tab  Shift+Tab", "help.tab"),
+            ("Esc", "help.esc"),
+        ),
+    ),
+    ("help.always", (("F1", "help.help"), ("F2", "help.language"))),
+    ("help.mouse", (("name.click", "help.click"),)),
+)
+
+
+def panel(layout: Layout) -> pygame.Rect:
+    """Return the rectangle of the page: as wide as the window's contents, centred."""
+    width = layout.shoot.right - layout.table.x - 2 * layout.px(60)
+    rect = pygame.Rect(0, 0, width, layout.px(460))
+    rect.center = ((layout.table.x + layout.shoot.right) // 2, layout.size[1] // 2)
+    return rect
+
+
+def draw(surface: pygame.Surface, layout: Layout, type_: Type, language: str) -> pygame.Rect:
+    """Draw the page over a darkened window; returns all of it."""
+    shade = pygame.Surface(surface.get_size(), pygame.SRCALPHA)
+    shade.fill((6, 9, 12, 150))
+    surface.blit(shade, (0, 0))
+    s, w, rect = layout.s, words(language), panel(layout)
+    shapes.box(surface, rect, s, PANEL, LINE_TRACK)
+    left, top = rect.x + round(28 * s), rect.y + round(42 * s)
+    type_.draw(surface, w["help.title"], (left, top), 20, TEXT)
+    type_.draw(surface, w["help.close"], (rect.right - 28 * s, top), 13, TEXT_SOFT, "right")
+    middle = rect.x + round(rect.w * 0.515)
+    for x, sections in ((left, LEFT_COLUMN), (middle, RIGHT_COLUMN)):
+        y = rect.y + 76 * s
+        for title, rows in sections:
+            y = _section(surface, type_, w, (x, y), title, rows)
+    foot = rect.bottom - 22 * s
+    type_.draw(surface, w["help.shot"], (left, foot), 13, TEXT_SOFT)
+    return surface.get_rect()
+
+
+def _section(
+    surface: pygame.Surface,
+    type_: Type,
+    w: dict[str, str],
+    at: tuple[float, float],
+    title: str,
+    rows: Rows,
+) -> float:
+    """Draw a title and its rows; returns where the next section begins."""
+    s, (x, y) = type_.s, at
+    type_.draw(surface, w[title], (x, y), 13, ACCENT)
+    y += 8 * s
+    for key, said in rows:
+        name = key_name(key, w)
+        cap = pygame.Rect(x, round(y), type_.width(name, 12) + round(14 * s), round(20 * s))
+        shapes.box(surface, cap, s, PANEL_RAISED, LINE_TRACK, radius=4)
+        base = cap.centery + type_.cap(12) / 2
+        type_.draw(surface, name, (cap.centerx, base), 12, TEXT, "centre")
+        type_.draw(surface, w[said], (x + KEY_COLUMN * s, base), 13, TEXT_SOFT)
+        y += ROW * s
+    return y + 22 * s
+
+
+def key_name(key: str, w: dict[str, str]) -> str:
+    """Return a key's name: as it is, or from the words."""
+    if key.startswith("Ctrl+"):
+        return "Ctrl+" + w["name.enter"]
+    return w.get(key, key)

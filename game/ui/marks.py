@@ -1,0 +1,172 @@
+"""What lies under the balls: the aim and its preview, or the traces of the last shot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import atan2, hypot
+
+import pygame
+
+from game.play import Game
+from game.preview import Contact, Place, Preview, path
+from game.render import lines
+from game.render.layout import Layout
+from game.render.theme import WHITE, BallLook
+
+FADE = 0.75
+"""Metres over which the object ball's path fades away."""
+Rects = list[pygame.Rect]
+
+
+def aiming(game: Game) -> bool:
+    """Is the next shot on show?"""
+    return not game.shown_shot and not game.moving
+
+
+def key(game: Game) -> object:
+    """What decides how the marks look: equal keys, equal marks."""
+    if aiming(game):
+        return "aim", game.preview_number
+    if game.shown_shot:
+        return "shot", game.shots, game.began, len(game.world.log), game.moving
+    return None
+
+
+def draw(
+    surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook]
+) -> list[pygame.Rect]:
+    """Draw the marks; returns the rectangles around them."""
+    if aiming(game):
+        preview = game.preview
+        return _preview(surface, layout, game, preview, looks) if preview else []
+    return _traces(surface, layout, game, looks) if game.shown_shot else []
+
+
+def _screen(layout: Layout, points: Sequence[Place]) -> list[tuple[float, float]]:
+    return lines.decimated([layout.to_screen(*p) for p in points]) if len(points) > 1 else []
+
+
+def _preview(
+    surface: pygame.Surface, layout: Layout, game: Game, seen: Preview, looks: Sequence[BallLook]
+) -> Rects:
+    s, contact = layout.s, seen.contact
+    radius = game.world.ball(game.cue).radius * layout.scale
+    rects = []
+    way = _screen(layout, seen.way)
+    if contact is None:
+        rects.append(lines.polyline(surface, way, WHITE, 1.7 * s, 0.92, fade=(1.0, 0.33)))
+    else:
+        rects.append(lines.polyline(surface, _clear(way, radius), WHITE, 1.6 * s, 0.95))
+        beyond = _screen(layout, seen.beyond)
+        rects.append(lines.polyline(surface, beyond, WHITE, 1.7 * s, 0.85, fade=(1.0, 0.35)))
+        rects += _object(surface, layout, game, seen, looks)
+    for at, out in seen.bounces:
+        centre = layout.to_screen(*at)
+        rects.append(lines.bounce(surface, centre, (out[0], -out[1]), radius, WHITE, s, 0.75))
+    last = (seen.beyond or seen.way)[-1:]
+    if last:
+        end = layout.to_screen(*last[0])
+        rects.append(lines.ring(surface, end, radius, WHITE, 1.4 * s, 0.55))
+    if contact is not None:
+        rects += _meeting(surface, layout, game, contact, looks)
+    return rects
+
+
+def _clear(points: list[tuple[float, float]], gap: float) -> list[tuple[float, float]]:
+    """A path without its last `gap` px, so that the ghost stays empty."""
+    kept = points[:]
+    while len(kept) > 1:
+        (x0, y0), (x1, y1) = kept[-2:]
+        size = hypot(x1 - x0, y1 - y0)
+        if size > gap:
+            share = 1 - gap / size
+            kept[-1] = (x0 + share * (x1 - x0), y0 + share * (y1 - y0))
+            break
+        gap -= size
+        kept.pop()
+    return kept
+
+
+def _object(
+    surface: pygame.Surface, layout: Layout, game: Game, seen: Preview, looks: Sequence[BallLook]
+) -> Rects:
+    """Draw the beginning of the object ball's path, dashed and fading."""
+    assert seen.contact is not None
+    points = _begin(seen.path, FADE)
+    colour = looks[_index(game, seen.contact.ball)].ui
+    s = layout.s
+    shown = _screen(layout, points)
+    return [lines.polyline(surface, shown, colour, 1.5 * s, 0.8, (1.0, 0.0), (9 * s, 6 * s))]
+
+
+def _begin(points: Sequence[Place], reach: float) -> list[Place]:
+    """The first `reach` metres of a path."""
+    kept = list(points[:1])
+    for p in points[1:]:
+        step = hypot(p[0] - kept[-1][0], p[1] - kept[-1][1])
+        if step > reach:
+            share = reach / step
+            kept.append(tuple(a + share * (b - a) for a, b in zip(kept[-1], p, strict=True)))  # type: ignore[arg-type]
+            break
+        reach -= step
+        kept.append(p)
+    return kept
+
+
+def _meeting(
+    surface: pygame.Surface, layout: Layout, game: Game, contact: Contact, looks: Sequence[BallLook]
+) -> Rects:
+    """Draw the ghost and where both balls leave to."""
+    s = layout.s
+    radius = game.world.ball(game.cue).radius * layout.scale
+    ghost = layout.to_screen(*contact.ghost)
+    rects = [lines.ghost(surface, ghost, radius, s)]
+    places = (contact.ghost, contact.other)
+    colours = (WHITE, looks[_index(game, contact.ball)].ui)
+    for at, velocity, colour in zip(places, contact.leaves, colours, strict=True):
+        if hypot(*velocity) > 1e-3:
+            angle = atan2(-velocity[1], velocity[0])
+            centre = layout.to_screen(*at)
+            rects.append(lines.departure(surface, centre, angle, radius, colour, s))
+    return rects
+
+
+def _traces(
+    surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook]
+) -> Rects:
+    """Draw where the balls have run up to the last event."""
+    log, s = game.world.log, layout.s
+    now = log[-1].time if len(log) else game.began
+    rects: Rects = []
+    for name in game.traced:
+        look = looks[_index(game, name)]
+        points = path(log, name, game.began, now)
+        shown = _screen(layout, points)
+        if shown:
+            rects.append(lines.trace(surface, shown, look.ui, s, dashes=look.dashes))
+            radius = game.world.ball(name).radius * layout.scale
+            rects.append(lines.ring(surface, shown[0], radius, look.ui, 1.3 * s, 0.8))
+    return rects + _hits(surface, layout, game, looks)
+
+
+def _hits(
+    surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook]
+) -> Rects:
+    normals = {wall.name: wall.normal for wall in game.world.walls}
+    s, rects = layout.s, []
+    for event in game.world.log:
+        if event.balls[0] not in game.traced:
+            continue
+        if event.kind == "cushion":
+            look, out = looks[_index(game, event.balls[0])], -normals[event.wall]
+            centre = layout.to_screen(*event.after[0].position)
+            radius = game.world.ball(event.balls[0]).radius * layout.scale
+            aside = (out.real, -out.imag)
+            rects.append(lines.bounce(surface, centre, aside, radius, look.ui, s, 0.9))
+        elif event.kind == "ball":
+            rects.append(lines.collision(surface, layout.to_screen(*event.point), s))
+    return rects
+
+
+def _index(game: Game, name: str) -> int:
+    return [ball.name for ball in game.world.balls].index(name)

@@ -1,0 +1,162 @@
+"""The table in layers: background, lines under the balls, balls, cue.  Only what changed is redrawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import ceil, cos, radians, sin
+
+import pygame
+
+from game.play import Game
+from game.render import cue
+from game.render.balls import BallSprites
+from game.render.layout import Layout
+from game.render.table import background
+
+from . import marks
+from .looks import look
+from .trail import Trail
+
+SHADOW = 2.3
+"""A ball with its shadow lies within this many radii of its centre."""
+Place = tuple[float, float]
+NOTHING = pygame.Rect(0, 0, 0, 0)
+
+
+class Stage:
+    """The pictures of one table at one size of the window.
+
+    `base` is the background, `lines` the background with what lies under the balls.
+    """
+
+    def __init__(self, layout: Layout, game: Game) -> None:
+        self.layout, self.radius = layout, game.world.balls[0].radius
+        self.base = background(layout)
+        self.lines = self.base.copy()
+        self.looks = [look(ball.name, i) for i, ball in enumerate(game.world.balls)]
+        self.sprites = BallSprites(layout, self.looks, self.radius)
+        self.trail = Trail()
+        self._under: object = None
+        self._marked: list[pygame.Rect] = []
+        self._balls: list[tuple[object, pygame.Rect]] = [(None, NOTHING)] * len(self.looks)
+        self._cue: tuple[object, pygame.Rect] = (None, NOTHING)
+        self._reach = ceil(SHADOW * self.sprites.px) + 3
+
+    def roll(self, game: Game, ticks: float) -> None:
+        """Turn the balls by the spin they have had for `ticks`, and let their trails grow."""
+        for index, ball in enumerate(game.world.balls):
+            if any(ball.spin):
+                self.sprites.turn(index, ball.spin, ticks)
+        self.trail.grow(game)
+
+    def draw(self, surface: pygame.Surface, game: Game) -> list[pygame.Rect]:
+        """Bring the table up to date; returns the rectangles that changed."""
+        dirty = self._draw_lines(game)
+        places = [(i, ball.position) for i, ball in enumerate(game.world.balls)]
+        dirty += self._moved(places)
+        stroke = self._stroke(game)
+        if stroke != self._cue[0]:
+            dirty += [self._cue[1], self._cue_room(stroke)]
+            self._cue = (stroke, dirty[-1])
+        area = [rect for rect in _merged(dirty) if rect.w and rect.h]
+        for rect in area:
+            self._compose(surface, rect, places, stroke)
+        return area
+
+    def everything(self, surface: pygame.Surface, game: Game) -> None:
+        """Draw the whole window's background and table anew."""
+        self._under = None
+        self.trail.undrawn()
+        self._balls = [(None, NOTHING)] * len(self.looks)
+        self._cue = (None, NOTHING)
+        self.lines.blit(self.base, (0, 0))
+        self._marked = []
+        surface.blit(self.base, (0, 0))
+        self.draw(surface, game)
+
+    def _draw_lines(self, game: Game) -> list[pygame.Rect]:
+        """Redraw what lies under the balls if it is not what it was."""
+        key = marks.key(game)
+        if key == self._under:
+            return self.trail.draw(self.lines, self.layout, self.looks)
+        self._under = key
+        old, self._marked = self._marked, []
+        for rect in old:
+            self.lines.blit(self.base, rect, rect)
+        self.lines.set_clip(self.layout.table)
+        self._marked = marks.draw(self.lines, self.layout, game, self.looks)
+        self.lines.set_clip(None)
+        self._marked += self.trail.draw(self.lines, self.layout, self.looks)
+        return old + self._marked
+
+    def _moved(self, places: list[tuple[int, Place]]) -> list[pygame.Rect]:
+        dirty = []
+        for index, at in places:
+            key = (at, self.sprites.orientation(index))
+            was, room = self._balls[index]
+            if key != was:
+                now = self._room(at)
+                dirty.append(room.union(now) if room.colliderect(now) else now)
+                if not room.colliderect(now):
+                    dirty.append(room)
+                self._balls[index] = (key, now)
+        return dirty
+
+    def _room(self, at: Place) -> pygame.Rect:
+        x, y = self.layout.to_screen(*at)
+        side = 2 * self._reach
+        return pygame.Rect(int(x) - self._reach, int(y) - self._reach, side, side)
+
+    def _stroke(self, game: Game) -> tuple[Place, float, float] | None:
+        """Where the cue is: (ball, angle, pull) or None while it is put away."""
+        shot = game.aim.shot if marks.aiming(game) else None
+        if shot is None:
+            return None
+        pull = 0.03 + 0.15 * min(shot.speed / 8.0, 1.0)
+        return game.world.ball(game.cue).position, radians(shot.angle), pull
+
+    def _cue_room(self, stroke: tuple[Place, float, float] | None) -> pygame.Rect:
+        """The rectangle around cue and shadow, inside the table."""
+        if stroke is None:
+            return NOTHING
+        (x, y), angle, pull = stroke
+        ends = []
+        for d in (self.radius, self.radius + pull + cue.LENGTH + 0.05):
+            ends.append(self.layout.to_screen(x - d * cos(angle), y - d * sin(angle)))
+        left, right = sorted((ends[0][0], ends[1][0]))
+        top, bottom = sorted((ends[0][1], ends[1][1]))
+        pad = ceil(0.08 * self.layout.scale)
+        box = pygame.Rect(int(left), int(top), int(right - left) + 1, int(bottom - top) + 1)
+        return box.inflate(2 * pad, 2 * pad).clip(self.layout.table)
+
+    def _compose(
+        self,
+        surface: pygame.Surface,
+        rect: pygame.Rect,
+        places: list[tuple[int, Place]],
+        stroke: tuple[Place, float, float] | None,
+    ) -> None:
+        """Put the layers together inside `rect`."""
+        surface.set_clip(rect)
+        surface.blit(self.lines, rect, rect)
+        near = [(i, at) for i, at in places if self._balls[i][1].colliderect(rect)]
+        self.sprites.draw_all(surface, near)
+        if stroke is not None and self._cue[1].colliderect(rect):
+            cue.draw(surface, self.layout, *stroke, 1.0, self.radius)
+        surface.set_clip(None)
+
+
+def _merged(rects: Iterable[pygame.Rect]) -> list[pygame.Rect]:
+    """Join rectangles that overlap where the union is not much larger than both."""
+    merged: list[pygame.Rect] = []
+    for rect in rects:
+        for i, other in enumerate(merged):
+            union = other.union(rect)
+            if other.colliderect(rect) and union.w * union.h <= 1.2 * (
+                other.w * other.h + rect.w * rect.h
+            ):
+                merged[i] = union
+                break
+        else:
+            merged.append(rect.copy())
+    return merged

@@ -1,0 +1,18 @@
+"""The mouse: what it is over, and whether it is pressed.  Only the picture depends on it, never the game."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(slots=True)
+class Pointer:
+    """`over` is the name of the part under the mouse; `held` the part that was pressed."""
+
+    over: str = ""
+    held: str = ""
+
+    @property
+    def down(self) -> bool:
+        """Is the button held on the part where it went down?"""
+        return bool(self.held) and self.held == self.over

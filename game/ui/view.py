@@ -1,0 +1,135 @@
+"""The whole window: the table and the parts around it; draws what changed and tells what changed."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+
+import pygame
+
+from game.actions import Action
+from game.play import Game
+from game.render.layout import Layout
+from game.render.text import Type
+
+from . import help as page
+from .panels import shot_parts
+from .parts import Part, Sight, fixed_parts
+from .stage import Stage
+from .touch import Pointer
+
+LEAST = (640, 360)
+"""A window smaller than this shows its contents cut off rather than unreadably small."""
+
+
+class View:
+    """Everything in the window, for one game."""
+
+    def __init__(self, game: Game, size: tuple[int, int], length: float, width: float) -> None:
+        self.game, self.pointer = game, Pointer()
+        self._table = length, width
+        self._fit(size)
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """Lay everything out anew."""
+        turns = [self.stage.sprites.orientation(i) for i in range(len(self.stage.looks))]
+        trail = self.stage.trail
+        self._fit(size)
+        self.stage.trail = trail
+        for i, turn in enumerate(turns):
+            self.stage.sprites.orient(i, turn)
+
+    def _fit(self, size: tuple[int, int]) -> None:
+        size = max(size[0], LEAST[0]), max(size[1], LEAST[1])
+        layout = Layout(size, *self._table)
+        self.sight = Sight(self.game, layout, Type(layout.s), self.pointer)
+        self.stage = Stage(layout, self.game)
+        self.parts = [p for p in fixed_parts(layout) + shot_parts(layout) if p.rect.w and p.rect.h]
+        self._drawn: dict[str, Hashable] = {}
+        self._mode = ""
+        self._help: str | None = None
+        self._whole = True
+
+    def expose(self) -> None:
+        """Draw everything the next time: the window may have been covered."""
+        self._whole = True
+
+    # -- the picture ---------------------------------------------------------------------------
+
+    def draw(self, surface: pygame.Surface) -> list[pygame.Rect]:
+        """Bring the surface up to date; returns the rectangles that changed."""
+        wanted = self.game.language if self.game.help else None
+        if wanted != self._help:
+            self._help, self._whole = wanted, True
+        if self._whole:
+            return self._draw_whole(surface)
+        if self._help is not None:
+            return []
+        return self.stage.draw(surface, self.game) + self._draw_parts(surface)
+
+    def _draw_whole(self, surface: pygame.Surface) -> list[pygame.Rect]:
+        self._whole = False
+        self.stage.everything(surface, self.game)
+        self._drawn, self._mode = {}, ""
+        self._draw_parts(surface)
+        if self._help is not None:
+            layout = self.sight.layout
+            page.draw(surface, layout, self.sight.type, self._help)
+        return [surface.get_rect()]
+
+    def _draw_parts(self, surface: pygame.Surface) -> list[pygame.Rect]:
+        dirty = self._switch(surface)
+        for part in self._shown():
+            key = part.key(self.sight)
+            if part.name not in self._drawn or self._drawn[part.name] != key:
+                self._drawn[part.name] = key
+                rect = part.draw(surface, part.rect, self.sight)
+                if rect.w and rect.h:
+                    dirty.append(rect)
+        return dirty
+
+    def _switch(self, surface: pygame.Surface) -> list[pygame.Rect]:
+        """Clear the column when it is to show the other shot."""
+        mode = "after" if self.game.shown_shot else "aim"
+        if mode == self._mode:
+            return []
+        self._mode = self.sight.mode = mode
+        for part in self.parts:
+            if part.mode:
+                self._drawn.pop(part.name, None)
+        column = self.sight.layout.panel
+        surface.blit(self.stage.base, column, column)
+        return [column]
+
+    def _shown(self) -> list[Part]:
+        return [p for p in self.parts if p.mode in ("", self._mode)]
+
+    # -- the mouse -----------------------------------------------------------------------------
+
+    def hover(self, at: tuple[int, int]) -> bool:
+        """Note what the mouse is over; returns whether that changed."""
+        part = self._at(at)
+        over = part.name if part else ""
+        changed = over != self.pointer.over
+        self.pointer.over = over
+        return changed
+
+    def press(self, at: tuple[int, int]) -> Action | None:
+        """Return what a press of the left button at a point means."""
+        self.hover(at)
+        part = self._at(at)
+        self.pointer.held = part.name if part else ""
+        return part.touch(at, part.rect, self.sight) if part else None
+
+    def drag(self, at: tuple[int, int]) -> Action | None:
+        """Return what moving the mouse with the button held means."""
+        for part in self._shown():
+            if part.name == self.pointer.held and part.drags:
+                return part.touch(at, part.rect, self.sight)
+        return None
+
+    def release(self) -> None:
+        """The button is up."""
+        self.pointer.held = ""
+
+    def _at(self, at: tuple[int, int]) -> Part | None:
+        return next((p for p in self._shown() if p.rect.collidepoint(at)), None)
