@@ -14,7 +14,7 @@ import numpy as np
 import pygame
 
 from . import raster
-from .arrays import Floats, Indices, Points
+from .arrays import Floats, Points
 from .theme import HALO, Colour
 
 TAIL = 0.30
@@ -121,32 +121,27 @@ def trace(
     return dirty
 
 
-def _box(
+def _around(
     surface: pygame.Surface, x: float, y: float, reach: float
-) -> tuple[Indices, Indices, Floats, Floats]:
-    """Return the pixels of a square around (x, y) and their offsets from it."""
+) -> tuple[pygame.Rect, Floats, Floats]:
+    """Return a square of pixels around (x, y) and its columns' and rows' offsets from the point."""
     edge = int(reach + 2)
     square = pygame.Rect(int(x) - edge, int(y) - edge, 2 * edge + 1, 2 * edge + 1)
     square = square.clip(surface.get_clip())
-    px, py = (
-        axis.ravel()
-        for axis in np.meshgrid(
-            np.arange(square.x, square.right), np.arange(square.y, square.bottom), indexing="ij"
-        )
-    )
-    dx, dy = (px + (0.5 - x)).astype(np.float32), (py + (0.5 - y)).astype(np.float32)
-    return px, py, dx, dy
+    dx = np.arange(square.x, square.right, dtype=np.float32)[:, None] + np.float32(0.5 - x)
+    dy = np.arange(square.y, square.bottom, dtype=np.float32)[None] + np.float32(0.5 - y)
+    return square, dx, dy
 
 
 def _painted(
-    surface: pygame.Surface,
-    x: Indices,
-    y: Indices,
-    cover: Floats,
-    colour: Colour,
+    surface: pygame.Surface, square: pygame.Rect, cover: Floats, colour: Colour
 ) -> pygame.Rect:
-    some = cover > 0
-    return raster.blend(surface, x[some], y[some], cover[some], colour)
+    if square.size != (0, 0) and cover.size:
+        pixels = pygame.surfarray.pixels3d(surface)
+        patch = pixels[square.x : square.right, square.y : square.bottom]
+        old = patch.astype(np.float32)
+        patch[:] = old + (np.array(colour, np.float32) - old) * cover[..., None] + np.float32(0.5)
+    return square
 
 
 def ring(
@@ -159,11 +154,11 @@ def ring(
     fill: float = 0.0,
 ) -> pygame.Rect:
     """Draw a circle whose line is centred on `radius`; `fill` is the alpha inside it."""
-    x, y, dx, dy = _box(surface, *centre, radius + width)
+    square, dx, dy = _around(surface, *centre, radius + width)
     away = np.hypot(dx, dy)
     line = (width / 2 + 0.5 - np.abs(away - radius)).clip(0, 1) * alpha
     inside = (radius + 0.5 - away).clip(0, 1) * fill
-    return _painted(surface, x, y, np.maximum(line, inside), colour)
+    return _painted(surface, square, np.maximum(line, inside), colour)
 
 
 def dot(
@@ -174,8 +169,8 @@ def dot(
     alpha: float = 1.0,
 ) -> pygame.Rect:
     """Draw a disc."""
-    x, y, dx, dy = _box(surface, *centre, radius)
-    return _painted(surface, x, y, (radius + 0.5 - np.hypot(dx, dy)).clip(0, 1) * alpha, colour)
+    square, dx, dy = _around(surface, *centre, radius)
+    return _painted(surface, square, (radius + 0.5 - np.hypot(dx, dy)).clip(0, 1) * alpha, colour)
 
 
 def ghost(
@@ -195,14 +190,14 @@ def polygon(
     turn = 1 if float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) > 0 else -1
     middle = (float(x.min() + x.max()) / 2, float(y.min() + y.max()) / 2)
     reach = max(float(np.ptp(x)), float(np.ptp(y))) / 2
-    px, py, dx, dy = _box(surface, *middle, reach)
-    cover = np.full(dx.shape, np.float32(alpha))
+    square, dx, dy = _around(surface, *middle, reach)
+    cover = np.full((dx.size, dy.size), alpha, np.float32)
     for corner, step in zip(corners, ahead, strict=True):
         across = (dx + middle[0] - corner[0]) * step[1] - (dy + middle[1] - corner[1]) * step[0]
         cover = np.minimum(
             cover, alpha * (0.5 - turn * across / max(hypot(*step), 1e-9)).clip(0, 1)
         )
-    return _painted(surface, px, py, cover.astype(np.float32), colour)
+    return _painted(surface, square, cover, colour)
 
 
 def arrow(
