@@ -184,7 +184,7 @@ def test_undo_is_keeping_old_values(strokes: list[tuple[str, ...]]) -> None:
 def test_what_comes_after_the_second_ball_changes_no_three_cushion(
     steps: list[str],
     more: list[str],
-    opening: bool,  # noqa: FBT001  hypothesis hands it over by position
+    opening: bool,
 ) -> None:
     turn = Turn(opening=opening)
     done = Carom().verdict(log(*steps, YELLOW, RED), turn)

@@ -7,7 +7,10 @@ import pytest
 
 from game.match.carom import Carom
 from game.match.positions import SAGU, SHELF, THREE_CUSHION, Position, opening, spotted
+from game.match.rules import Facts, Turn
 from game.match.sagu import Sagu
+from game.match.skill import Aim
+from physics import Ball, simulate, tables
 
 TABLES = [(2.448, 1.27, 0.03275), (2.54, 1.27, 0.03275), (2.84, 1.42, 0.03075)]
 OPENINGS = [opening(game, cue) for game in (SAGU, THREE_CUSHION) for cue in ("white", "yellow")]
@@ -62,3 +65,40 @@ def test_balls_off_the_table_come_back_on_their_spots() -> None:
 def test_a_ball_whose_spot_is_covered_goes_to_the_next_free_one() -> None:
     lie = {"white": (L / 4, 0.03), "yellow": (1.0, 0.5), "red": (9.0, 9.0)}
     assert spotted(lie, ("red",), "yellow", L, W, 0.0615)["red"] == (-L / 4, 0)
+
+
+def answered(position: Position) -> Facts:
+    """What the answer of a position does on the game's own table; it has to score."""
+    four = position.game == SAGU
+    table = tables.MEDIUM_CAROM if four else tables.MATCH_CAROM
+    world = table.world()
+    for name, at in position.on(table.length, table.width).items():
+        world.add(Ball(name, at=at, radius=table.radius, mass=table.mass))
+    after = simulate(world, position.cue, Aim(*position.answer).shot())
+    turn = Turn(position.cue, opening=position.key == "opening")
+    verdict = (Sagu() if four else Carom()).verdict(after.log, turn)
+    assert verdict.made, verdict
+    return verdict.facts
+
+
+@pytest.mark.parametrize("position", [*SHELF, *OPENINGS], ids=lambda p: f"{p.game}-{p.key}")
+def test_the_answer_of_a_position_scores(position: Position) -> None:
+    assert len(answered(position).hits) == 2
+
+
+def shelf(game: str, key: str) -> Facts:
+    return answered(next(p for p in SHELF if (p.game, p.key) == (game, key)))
+
+
+def test_the_answers_are_the_shots_that_the_names_promise() -> None:
+    for key in ("follow", "draw", "stun", "gather", "rail_nurse"):
+        assert shelf(SAGU, key).path == ("red1", "red2")
+    assert shelf(SAGU, "one_cushion").path == ("red1", "south", "red2")
+    assert shelf(SAGU, "two_cushions").cushions == 2
+    assert shelf(SAGU, "bank").bank == 1
+    assert shelf(THREE_CUSHION, "outside").path == ("red", "north", "east", "south", "yellow")
+    assert shelf(THREE_CUSHION, "inside").path == ("red", "east", "south", "west", "yellow")
+    assert shelf(THREE_CUSHION, "around").cushions == 4
+    assert set(shelf(THREE_CUSHION, "cross_table").path[1:-1]) == {"north", "south"}
+    assert shelf(THREE_CUSHION, "bank_one").bank == 1
+    assert shelf(THREE_CUSHION, "bank_three").bank == 3

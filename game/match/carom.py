@@ -6,11 +6,19 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from math import inf
 
-from game.match.rules import NO_BALL, OFF_TABLE, ONE_BALL, Turn, Verdict, facts
+from game.match.rules import (
+    FEW_CUSHIONS,
+    NO_BALL,
+    OFF_TABLE,
+    ONE_BALL,
+    SAME_INSTANT,
+    Turn,
+    Verdict,
+    facts,
+)
 from game.match.stroke import TIE, Event, Stroke, stroke
 
 CANNON, BANK = "cannon", "bank_cannon"
-FEW_CUSHIONS, SAME_INSTANT = "few_cushions", "same_instant"
 OPENING_NOT_RED = "opening_not_red"
 KEYS = {0: "straight", 1: "one_cushion", 3: "three_cushion"}
 
@@ -46,6 +54,14 @@ class Carom:
     @property
     def balls(self) -> tuple[str, ...]:
         return (*self.cues, self.red)
+
+    def targets(self, turn: Turn) -> tuple[str, ...]:
+        if turn.opening and self.red_first:
+            return (self.red,)
+        return tuple(ball for ball in self.balls if ball != turn.cue)
+
+    def needs(self, turn: Turn) -> int:
+        return self.cushions
 
     def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
         done = stroke(log, turn.cue)

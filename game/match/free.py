@@ -22,5 +22,11 @@ class Free:
     def key(self) -> str:
         return FREE
 
+    def targets(self, turn: Turn) -> tuple[str, ...]:
+        return tuple(ball for ball in self.balls if ball != turn.cue)
+
+    def needs(self, turn: Turn) -> int:
+        return 0
+
     def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
         return Verdict(FREE, passes=False, facts=facts(stroke(log, turn.cue)))

@@ -13,6 +13,8 @@ from game.match.stroke import Event, Stroke
 OFF_TABLE = "off_table"
 ONE_BALL = "one_ball"
 NO_BALL = "no_ball"
+FEW_CUSHIONS = "few_cushions"
+SAME_INSTANT = "same_instant"  # the last cushion needed, and the last ball
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +80,17 @@ class Rules(Protocol):
     def cues(self) -> tuple[str, ...]: ...
     @property
     def balls(self) -> tuple[str, ...]: ...
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict: ...
+    def targets(self, turn: Turn) -> tuple[str, ...]:
+        """The balls that this stroke may hit first."""
+        ...
+
+    def needs(self, turn: Turn) -> int:
+        """The cushions that this stroke has to meet before its last ball."""
+        ...
+
+    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+        """What the stroke was worth: `log` holds its events alone, in order of time."""
+        ...
 
 
 def facts(done: Stroke, decided: float | None = None) -> Facts:

@@ -8,14 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from game.match.rules import OFF_TABLE, Facts, Turn, Verdict, facts
+from game.match.rules import FEW_CUSHIONS, OFF_TABLE, SAME_INSTANT, Facts, Turn, Verdict, facts
 from game.match.stroke import Event, Stroke, stroke
 
 NONE, LAST_POINT_3C, EXTRA_3C = "none", "last_point_3c", "extra_3c"
 FINISHES = (NONE, LAST_POINT_3C, EXTRA_3C)
 
 BOTH_REDS, BOTH_REDS_3C, ONE_RED = "both_reds", "both_reds_3c", "one_red"
-FEW_CUSHIONS = "few_cushions"
 NO_RED, OPPONENT_BALL = "no_red", "opponent_ball"
 
 
@@ -49,10 +48,14 @@ class Sagu:
     def balls(self) -> tuple[str, ...]:
         return self.cues + self.reds
 
-    def closing(self, turn: Turn) -> bool:
-        """Whether this stroke ends the game if it comes off three cushions, and only then."""
+    def targets(self, turn: Turn) -> tuple[str, ...]:
+        return self.reds
+
+    def needs(self, turn: Turn) -> int:
+        """Three cushions where the stroke would end the game, else none."""
         last = {NONE: None, LAST_POINT_3C: 1, EXTRA_3C: 0}[self.finish]
-        return turn.target is not None and last is not None and turn.reached(last)
+        closing = turn.target is not None and last is not None and turn.reached(last)
+        return 3 if closing else 0
 
     def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
         done = stroke(log, turn.cue)
@@ -76,10 +79,11 @@ class Sagu:
 
     def _both(self, done: Stroke, second: float, turn: Turn) -> Verdict:
         seen = facts(done, second)
-        if not self.closing(turn):
-            won = self.finish != EXTRA_3C and turn.reached(1)
-            return Verdict(BOTH_REDS, 1, made=True, passes=False, won=won, facts=seen)
-        if seen.cushions < 3:
-            return Verdict(FEW_CUSHIONS, facts=seen)
-        points = 0 if self.finish == EXTRA_3C else 1
-        return Verdict(BOTH_REDS_3C, points, made=True, passes=False, won=True, facts=seen)
+        cushions = self.needs(turn)
+        if seen.cushions < cushions:
+            late = seen.cushions == cushions - 1 and done.cushion_at(second)
+            return Verdict(SAME_INSTANT if late else FEW_CUSHIONS, facts=seen)
+        extra = cushions > 0 and self.finish == EXTRA_3C
+        won = extra or (self.finish != EXTRA_3C and turn.reached(1))
+        reason = BOTH_REDS_3C if cushions else BOTH_REDS
+        return Verdict(reason, 0 if extra else 1, made=True, passes=False, won=won, facts=seen)

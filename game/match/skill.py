@@ -1,0 +1,80 @@
+"""How well a stroke is carried out: an aim, and the error that a level makes in it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import hypot
+from random import Random
+
+from physics import Shot
+
+# Radii off the centre of the ball beyond which a chalked tip slips (friction 0.6: 0.6/√1.36).
+MISCUE = 0.51
+SLOWEST = 0.05  # m/s: an error never turns a stroke into none
+
+
+@dataclass(frozen=True, slots=True)
+class Aim:
+    """A level stroke: direction in degrees, speed of the ball in m/s, and where the tip meets it.
+
+    right, up: offset of the tip from the centre in radii of the ball, seen from behind.
+    """
+
+    angle: float
+    speed: float
+    right: float = 0.0
+    up: float = 0.0
+
+    def shot(self) -> Shot:
+        """The shot it gives: a push at the offset d turns the ball with Rω = 5/2 d v."""
+        turn = 2.5 * self.speed
+        return Shot(self.speed, self.angle, follow=turn * self.up, side=turn * self.right)
+
+    def within(self, limit: float) -> Aim:
+        """The same with the tip no farther out than `limit` radii."""
+        out = hypot(self.right, self.up)
+        if out <= limit:
+            return self
+        return Aim(self.angle, self.speed, self.right * limit / out, self.up * limit / out)
+
+
+@dataclass(frozen=True, slots=True)
+class Level:
+    """Standard deviations of a stroke, each independent and normal; `key` is a key of the texts.
+
+    angle  degrees
+    speed  share of the speed
+    tip    mm on the ball, in each direction
+    """
+
+    key: str
+    angle: float
+    speed: float
+    tip: float
+
+    def missed(self, aim: Aim, rng: Random, radius: float) -> Aim:
+        """The aim as this level carries it out on a ball of `radius` m; four draws of `rng`."""
+        tip = 1e-3 * self.tip / radius
+        return Aim(
+            aim.angle + rng.gauss(0.0, self.angle),
+            max(SLOWEST, aim.speed * (1.0 + rng.gauss(0.0, self.speed))),
+            aim.right + rng.gauss(0.0, tip),
+            aim.up + rng.gauss(0.0, tip),
+        ).within(MISCUE)
+
+    def or_more(self, other: Level) -> Level:
+        """The larger error of the two, one by one."""
+        return Level(
+            self.key,
+            max(self.angle, other.angle),
+            max(self.speed, other.speed),
+            max(self.tip, other.tip),
+        )
+
+
+NOVICE = Level("novice", 1.5, 0.15, 4.0)
+CLUB = Level("club", 0.8, 0.10, 2.5)
+EXPERT = Level("expert", 0.35, 0.06, 1.5)
+MASTER = Level("master", 0.12, 0.03, 0.8)
+PERFECT = Level("perfect", 0.0, 0.0, 0.0)
+LEVELS = (NOVICE, CLUB, EXPERT, MASTER, PERFECT)
