@@ -51,7 +51,7 @@ def simulate_many(
 
     world.plan()
     table = _table(shots, np)
-    if not isinstance(world.engine, EventDriven):
+    if not isinstance(world.engine, EventDriven) or world.cluster_law is not None:
         return _one_by_one(world, ball, table, np)
     starts = _starts(world, world.ball(ball).name, table, np)
     job = Job(world.scene, world.engine.budget, _choose(world, len(starts), compiled))
@@ -142,13 +142,14 @@ class Job(NamedTuple):
             balls=[body.twin(ball) for ball in self.scene.balls],
             meetings=self.scene.meetings[:],
             ties=body.ties(balls),
+            grid=body.twin_grid(self.scene.grid),
         )
         calendar.many(starts.tolist(), rests, times, counts, self.budget, scene)
         return np.array(rests).reshape(shots, balls, 2), np.array(times), np.array(counts, np.int64)
 
 
 def _one_by_one(world: World, ball: Ball | str, table: Any, np: Any) -> Outcomes:
-    """The shots through an engine that has no batches."""
+    """The shots through an engine or a law for clusters that has no batches."""
     worlds = [simulate(world, ball, Shot(*row)) for row in table.tolist()]
     rests = np.array([[b.position for b in after.balls] for after in worlds])
     return Outcomes(

@@ -72,13 +72,24 @@ def packed(scene: Scene) -> Any:
     """The same scene in arrays, with room of its own, for the compiled kernel."""
     import numpy as np
 
-    body = kernel().body
-    felt, ball_rule, cushion_rule = (
+    def column(items: list[Any], kind: type = float) -> Any:
+        return np.array(items, type(items[0]) if items else kind)
+
+    body, cells = kernel().body, scene.grid
+    felt, *rules = (
         rows([record])[0] for record in (scene.cloth, scene.ball_rule, scene.cushion_rule)
     )
-    room = ties(len(scene.balls))
     walls = rows(scene.walls or [Line(0j, 0.0, 0j)])[: len(scene.walls)]
+    room = body.Ties(*(column(items) for items in ties(len(scene.balls))))
+    lists = (column(items, float if items is cells.cross else int) for items in cells[5:])
     return body.Scene(
-        rows(scene.balls), np.array(scene.meetings), walls, felt, ball_rule,
-        cushion_rule, np.asarray(scene.cushion_table, float), body.Ties(*(np.array(column) for
-    column in room)), )  # fmt: skip
+        rows(scene.balls),
+        column(scene.meetings),
+        walls,
+        felt,
+        *rules,
+        column(scene.cushion_table),
+        room,
+        scene.celled,
+        body.Grid(*cells[:5], *lists),
+    )

@@ -4,8 +4,10 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Protocol
 
+from . import hertz
 from .checks import nonnegative, positive
-from .kernel.calendar import CLUSTER, PAIR, happen, plan_leg, plan_meetings, soonest
+from .kernel.calendar import CLUSTER, NOTHING, PAIR, happen, plan_meetings, soonest, start_leg
+from .kernel.grid import locate
 from .log import State
 
 if TYPE_CHECKING:
@@ -52,25 +54,29 @@ class EventDriven:
     def plan(self, world: "World", disturbed: list[int]) -> None:
         scene, balls = world.scene, world.scene.balls
         for i in disturbed:
-            plan_leg(balls[i], scene.walls, scene.cloth)
+            if scene.celled:
+                locate(i, balls[i], scene.grid)
+            start_leg(i, scene)
             world.log.begin(i, world.epoch, balls[i], scene.cloth.fade)
         for i in disturbed:
-            plan_meetings(i, balls, scene.meetings)
-        world.due = balls[soonest(balls)].next if balls else inf
+            plan_meetings(i, scene)
+        world.due = balls[soonest(scene)].next if balls else inf
         world.allowed = len(world.log) + self.budget
 
     def advance(self, world: "World", until: float) -> float:
         scene, log, epoch = world.scene, world.log, world.epoch
         balls, fade = scene.balls, scene.cloth.fade
-        time = world.now
+        time, law = world.now, world.cluster_law
         while balls:
-            i = soonest(balls)
+            i = soonest(scene)
             due = balls[i].next
             if epoch + due > until or due == inf:
                 world.due = due
                 break
             time = due
-            kind, other = happen(i, scene)
+            kind, other = happen(i, scene) if law is None else hertz.happen(i, scene, law)
+            if kind == NOTHING:
+                continue
             if kind == CLUSTER:
                 _note_cluster(world, time, other)
             else:

@@ -8,13 +8,14 @@ from .ball import DISTURBED, Ball, Clock
 from .checks import nonnegative
 from .cloth import Cloth
 from .engine import Engine, EventDriven
-from .kernel.body import Scene, ties
+from .kernel.body import Scene, grid, no_grid, ties, twin_grid
 from .kernel.motion import RESTING, carry, length
 from .log import Log
 from .shot import Shot
 from .wall import Wall
 
 OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
+FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
 
 Thing = TypeVar("Thing", Ball, Wall)
 
@@ -37,13 +38,16 @@ class World:
         self._engine: Engine = EventDriven() if engine is None else engine
         self._ball_law = laws.ball_law(ball_law)
         self._cushion_law = laws.cushion_law(cushion_law)
+        self._cluster_law: laws.HertzCluster | None = None
         self._clock = Clock(self._cloth.felt())
         self._balls: list[Ball] = []
         self._index: dict[str, int] = {}
         self._walls: list[Wall] = []
         self.log = Log()
         self.log.watch(self._walls)
-        self.scene = Scene([], [], [], self._clock.cloth, *self._rules(), ties(0))
+        self.scene = Scene(
+            [], [], [], self._clock.cloth, *self._rules(), ties(0), False, no_grid(0)
+        )
         # for the engine: when the next event is due, from the epoch on; when it planned; its budget
         self.due = inf
         self.planned = 0.0
@@ -76,7 +80,10 @@ class World:
         self._balls.append(ball)
         self.scene.balls.append(body)
         self.log.register(ball.name, ball.mass)
-        self.scene = self.scene._replace(meetings=[inf] * (n * n), ties=ties(n))
+        table = [inf] * (n * n) if n <= FEW else []
+        self.scene = self.scene._replace(
+            meetings=table, ties=ties(n), celled=False, grid=no_grid(n)
+        )
 
     @property
     def balls(self) -> tuple[Ball, ...]:
@@ -124,6 +131,16 @@ class World:
     def cushion_law(self, law: str | laws.CushionLaw) -> None:
         self._cushion_law = laws.cushion_law(law)
         self._renew_rules()
+
+    @property
+    def cluster_law(self) -> laws.HertzCluster | None:
+        """What happens when three balls or more touch; None: the ball law, contact by contact, those
+        that close equally fast together. Assign laws.HertzCluster() for the accurate way."""
+        return self._cluster_law
+
+    @cluster_law.setter
+    def cluster_law(self, law: str | laws.HertzCluster | None) -> None:
+        self._cluster_law = laws.cluster_law(law)
 
     @property
     def engine(self) -> Engine:
@@ -224,6 +241,7 @@ class World:
             meetings=self.scene.meetings[:],
             walls=self.scene.walls[:],
             ties=ties(len(balls)),
+            grid=twin_grid(self.scene.grid) if self.scene.celled else no_grid(len(balls)),
         )
         return world
 
@@ -241,6 +259,7 @@ class World:
             return
         if clock.moved:
             self._check_places()
+            self._lay_grid()
         if all(body.phase in (RESTING, DISTURBED) for body in bodies):
             self._begin_epoch()
         self.planned = self.time
@@ -257,6 +276,14 @@ class World:
             carry(body, clock.now, clock.cloth)
             body.since = 0.0
         clock.epoch, clock.now = clock.epoch + clock.now, 0.0
+
+    def _lay_grid(self) -> None:
+        """Cells for many balls, in place of the table of all their meetings."""
+        if len(self._balls) > FEW:
+            self._disturb()
+            spots = [body.position for body in self.scene.balls]
+            cells = grid(spots, max(ball.radius for ball in self._balls))
+            self.scene = self.scene._replace(celled=True, grid=cells, meetings=[])
 
     def _check_places(self) -> None:
         """ValueError, naming the ball, if one lies outside the walls or in another one."""

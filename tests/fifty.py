@@ -57,7 +57,8 @@ def rest(world: World, until: float = float("inf")) -> tuple[list[Any], int]:
     mine = package.body.Scene(
         [record(ball) for ball in scene.balls], [mpmath.inf] * len(scene.meetings),
         [record(wall) for wall in scene.walls], record(scene.cloth), record(scene.ball_rule),
-        record(scene.cushion_rule), scene.cushion_table, room,
+        record(scene.cushion_rule), scene.cushion_table, room, scene.celled,
+        package.body.no_grid(len(scene.balls)),
     )  # fmt: skip
     package.calendar.plan(mine)
     events, _ = package.calendar.advance(until, 10**5, mine)

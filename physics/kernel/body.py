@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from math import inf
+from math import inf, sqrt
 from operator import attrgetter
 from typing import Any, NamedTuple
 
@@ -87,6 +87,27 @@ class Ties(NamedTuple):
     total: Any
 
 
+class Grid(NamedTuple):
+    """Cells over the table, each with a list of the balls in it; empty for few balls."""
+
+    size: float
+    west: float
+    south: float
+    columns: int
+    rows: int
+    head: Any  # of every cell's list
+    after: Any  # of every ball in its list
+    before: Any
+    column: Any
+    row: Any
+    cross: Any  # when the ball leaves its cell
+    edge: Any  # and over which edge
+    turn: Any  # how many legs the ball has begun
+    promise: Any  # what that was for its partner when their meeting was foreseen
+    tree: Any  # the tournament of next events
+    near: Any  # room for a list of neighbours
+
+
 class Scene(NamedTuple):
     """All that an event may read or change."""
 
@@ -98,6 +119,8 @@ class Scene(NamedTuple):
     cushion_rule: Any
     cushion_table: Any
     ties: Ties
+    celled: bool  # is the grid used?
+    grid: Grid
 
 
 def ties(balls: int) -> Ties:
@@ -107,6 +130,36 @@ def ties(balls: int) -> Ties:
     return Ties(
         [0] * balls, whole, whole[:], whole[:], real, real[:], real[:], [0j] * pairs, real[:]
     )
+
+
+def no_grid(balls: int) -> Grid:
+    """No cells: everybody is near."""
+    return Grid(1.0, 0.0, 0.0, 0, 0, [], [], [], [], [], [], [], [], [], [], [0] * balls)
+
+
+def grid(spots: Sequence[complex], radius: float) -> Grid:
+    """Cells over the spots of balls of at most that radius: no smaller than a ball, a ball in each."""
+    n = len(spots)
+    west, south = min(p.real for p in spots), min(p.imag for p in spots)
+    length, width = max(p.real for p in spots) - west, max(p.imag for p in spots) - south
+    size = max(2.0 * radius + 1e-6, sqrt(length * width / n))
+    columns, lines = max(1, int(length / size)), max(1, int(width / size))
+    leaves = 1
+    while leaves < n:
+        leaves *= 2
+    tree = [-1] * leaves + list(range(n)) + [-1] * (leaves - n)
+    for node in range(leaves - 1, 0, -1):
+        tree[node] = tree[2 * node]
+    nobody, zero = [-1] * n, [0] * n
+    return Grid(
+        size, west, south, columns, lines, [-1] * (columns * lines), nobody, nobody[:], nobody[:],
+        nobody[:], [inf] * n, zero, zero[:], zero[:], tree, zero[:],
+    )  # fmt: skip
+
+
+def twin_grid(grid: Grid) -> Grid:
+    """The same cells once more."""
+    return Grid(*grid[:5], *(column[:] for column in grid[5:]))
 
 
 def rows(items: Sequence[Any]) -> Any:

@@ -1,14 +1,14 @@
 """From event to event."""
 
 from .cluster import collide, crowded, gather
-from .contact import contact_time, first_fall
+from .contact import first_fall, meeting
+from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near
 from .laws import hit_ball, hit_wall
-from .motion import RESTING, carry, motion, place, settle, swept
+from .motion import RESTING, carry, motion, settle, swept
 from .subset import complex, inf, kernel
 
-NOBODY = -1
 PHASE_ENDS = -1
-PHASE, CUSHION, PAIR, CLUSTER = 0, 1, 2, 3  # what an event is
+PHASE, CUSHION, PAIR, CLUSTER, NOTHING = 0, 1, 2, 3, 4  # what an event is
 
 
 @kernel
@@ -56,28 +56,22 @@ def reach(ball, p, v, a, lasts):
 
 
 @kernel
-def meeting(a, b):
-    """When two balls will touch if both stay on their legs, or inf.
-
-    It is reckoned from the start of the later leg, whenever it is asked and by whom.
-    """
-    if a.phase == RESTING and b.phase == RESTING:
-        return inf
-    if a.since < b.since:
-        a, b = b, a
-    time = a.since
-    t = time - b.since
-    if t == 0.0:
-        q, v = b.position - a.position, b.velocity - a.velocity
-    else:
-        q, v = place(b, t) - a.position, b.velocity + t * b.acceleration - a.velocity
-    lasts = (a.leg_end if a.leg_end < b.leg_end else b.leg_end) - time
-    return time + contact_time(q, v, b.acceleration - a.acceleration, a.radius + b.radius, lasts)
+def start_leg(i, scene):
+    """Ball i goes on from where it is, as it is."""
+    ball = scene.balls[i]
+    plan_leg(ball, scene.walls, scene.cloth)
+    if scene.celled:
+        scene.grid.turn[i] += 1
+        plan_crossing(i, ball, ball.since, scene.grid)
 
 
 @kernel
-def plan_meetings(i, balls, meetings):
+def plan_meetings(i, scene):
     """Enter in the calendar whom ball i will meet, and first of all when."""
+    balls, meetings = scene.balls, scene.meetings
+    if scene.celled:
+        plan_near(i, balls, scene.grid)
+        return
     n = len(balls)
     ball = balls[i]
     west, east, south, north = ball.west, ball.east, ball.south, ball.north
@@ -120,22 +114,27 @@ def appoint(j, i, when, balls, meetings):
 @kernel
 def plan(scene):
     """Start afresh from balls that somebody has put there."""
-    balls, meetings = scene.balls, scene.meetings
+    balls, meetings, grid = scene.balls, scene.meetings, scene.grid
     n = len(balls)
-    for k in range(n * n):
+    for k in range(len(meetings)):
         meetings[k] = inf
     for i in range(n):
         ball = balls[i]
-        plan_leg(ball, scene.walls, scene.cloth)
+        if scene.celled:
+            locate(i, ball, grid)
+        start_leg(i, scene)
         ball.meets, ball.partner, ball.next = inf, NOBODY, ball.leg_end
     for i in range(n):
-        if balls[i].phase != RESTING:
-            plan_meetings(i, balls, meetings)
+        if balls[i].phase != RESTING or scene.celled:
+            plan_meetings(i, scene)
 
 
 @kernel
-def soonest(balls):
+def soonest(scene):
     """The ball that the next event belongs to."""
+    if scene.celled:
+        return scene.grid.tree[1]
+    balls = scene.balls
     first, time = 0, inf
     for i in range(len(balls)):
         if balls[i].next < time:
@@ -150,6 +149,8 @@ def happen(i, scene):
     Returns what it was and with whom: the wall, the other ball, or how many contacts.
     """
     balls, cloth = scene.balls, scene.cloth
+    if scene.celled and pass_by(i, balls, scene.grid):
+        return NOTHING, NOBODY
     ball = balls[i]
     time = ball.next
     carry(ball, time, cloth)
@@ -161,23 +162,23 @@ def happen(i, scene):
     else:
         kind = CUSHION
         hit_wall(ball, scene.walls[goal], scene.cushion_rule, scene.cushion_table)
-    plan_leg(ball, scene.walls, cloth)
-    plan_meetings(i, balls, scene.meetings)
+    start_leg(i, scene)
+    plan_meetings(i, scene)
     return kind, goal
 
 
 @kernel
 def meet(i, j, time, scene):
     """Two balls touch, and perhaps others with them."""
-    balls, walls, cloth = scene.balls, scene.walls, scene.cloth
-    carry(balls[j], time, cloth)
-    if len(balls) > 2 and crowded(i, j, time, balls):
+    balls = scene.balls
+    carry(balls[j], time, scene.cloth)
+    if len(balls) > 2 and crowded(i, j, time, scene):
         return crowd(i, j, time, scene)
     hit_ball(balls[i], balls[j], scene.ball_rule)
-    plan_leg(balls[i], walls, cloth)
-    plan_leg(balls[j], walls, cloth)
-    plan_meetings(i, balls, scene.meetings)
-    plan_meetings(j, balls, scene.meetings)
+    start_leg(i, scene)
+    start_leg(j, scene)
+    plan_meetings(i, scene)
+    plan_meetings(j, scene)
     return PAIR, j
 
 
@@ -185,12 +186,12 @@ def meet(i, j, time, scene):
 def crowd(i, j, time, scene):
     """Many balls touch."""
     balls, ties = scene.balls, scene.ties
-    members, contacts = gather(i, j, time, balls, scene.cloth, ties)
+    members, contacts = gather(i, j, time, scene)
     collide(contacts, balls, scene.ball_rule, ties)
     for m in range(members):
-        plan_leg(balls[ties.member[m]], scene.walls, scene.cloth)
+        start_leg(ties.member[m], scene)
     for m in range(members):
-        plan_meetings(ties.member[m], balls, scene.meetings)
+        plan_meetings(ties.member[m], scene)
     return CLUSTER, contacts
 
 
@@ -198,7 +199,7 @@ def crowd(i, j, time, scene):
 def blows(kind, contacts, ties):
     """How many events that was: in a cluster, every contact that passed an impulse is one."""
     if kind != CLUSTER:
-        return 1
+        return 0 if kind == NOTHING else 1
     count = 0
     for c in range(contacts):
         if ties.total[c] > 0.0:
@@ -212,7 +213,7 @@ def advance(until, budget, scene):
     balls = scene.balls
     events, last = 0, 0.0
     while events <= budget:
-        i = soonest(balls)
+        i = soonest(scene)
         time = balls[i].next
         if time > until or time == inf:
             break

@@ -5,6 +5,7 @@ and again until none closes. So a symmetric rack stays symmetric, and a cradle p
 in line.
 """
 
+from .grid import neighbours
 from .laws import (
     FOREIGN_BALL,
     SMOOTH_BALL,
@@ -36,9 +37,12 @@ def touching(a, b, time):
 
 
 @kernel
-def crowded(i, j, time, balls):
+def crowded(i, j, time, scene):
     """Does a third ball touch one of the two?"""
+    balls = scene.balls
     a, b = balls[i], balls[j]
+    if scene.celled:
+        return third(a, i, j, time, balls, scene.grid) or third(b, j, i, time, balls, scene.grid)
     for k in range(len(balls)):
         if k != i and k != j and (touching(a, balls[k], time) or touching(b, balls[k], time)):
             return True
@@ -46,26 +50,39 @@ def crowded(i, j, time, balls):
 
 
 @kernel
-def gather(i, j, time, balls, cloth, ties):
-    """All that hangs together with balls i and j: (how many balls, how many contacts)."""
+def third(a, i, j, time, balls, grid):
+    """Does a ball other than j touch ball i, which is a?"""
+    for m in range(neighbours(i, balls, grid)):
+        k = grid.near[m]
+        if k != j and touching(a, balls[k], time):
+            return True
+    return False
+
+
+@kernel
+def gather(i, j, time, scene):
+    """All that hangs together with balls i and j: how many balls, in ties.member, and contacts."""
+    balls, ties, grid = scene.balls, scene.ties, scene.grid
     member, first, second = ties.member, ties.first, ties.second
     member[0], member[1] = i, j
     first[0], second[0] = i, j
     members, contacts, m = 2, 1, 0
     while m < members:
         a = member[m]
-        for k in range(len(balls)):
-            if k != a and (m > 1 or k != member[1 - m]) and touching(balls[a], balls[k], time):
-                at = 0
-                while at < members and member[at] != k:
-                    at += 1
-                if at == members:
-                    carry(balls[k], time, cloth)
-                    member[members] = k
-                    members += 1
-                if at > m:
-                    first[contacts], second[contacts] = a, k
-                    contacts += 1
+        for near in range(neighbours(a, balls, grid)):
+            k = grid.near[near]
+            if (m < 2 and k == member[1 - m]) or not touching(balls[a], balls[k], time):
+                continue
+            at = 0
+            while at < members and member[at] != k:
+                at += 1
+            if at == members:
+                carry(balls[k], time, scene.cloth)
+                member[members] = k
+                members += 1
+            if at > m:
+                first[contacts], second[contacts] = a, k
+                contacts += 1
         m += 1
     return members, contacts
 

@@ -1,0 +1,181 @@
+"""Many balls: who is near, by cells of a grid, and whose event is next, by a tournament.
+
+Every ball is listed in the cell that its centre is in; it can only touch balls of that cell and of the
+eight around. Leaving the cell is an event of the calendar, not of physics: the leg goes on. The outer
+cells have no outer edge. Who has a new leg tells nobody: an event that was foreseen with an older leg
+is void, which shows when it is due.
+"""
+
+from .contact import first_fall, meeting
+from .motion import RESTING, place
+from .subset import inf, kernel
+
+NOBODY = -1
+EAST, WEST, NORTH, SOUTH = 0, 1, 2, 3
+
+
+@kernel
+def neighbours(i, balls, grid):
+    """Who may touch ball i: how many, in grid.near.  Without cells, everybody."""
+    count = 0
+    if len(grid.head) == 0:
+        for k in range(len(balls)):
+            if k != i:
+                grid.near[count] = k
+                count += 1
+        return count
+    column, row = grid.column[i], grid.row[i]
+    for c in range(max(column - 1, 0), min(column + 2, grid.columns)):
+        for r in range(max(row - 1, 0), min(row + 2, grid.rows)):
+            k = grid.head[c * grid.rows + r]
+            while k != NOBODY:
+                if k != i:
+                    grid.near[count] = k
+                    count += 1
+                k = grid.after[k]
+    return count
+
+
+@kernel
+def leave(i, grid):
+    """Take ball i off its cell's list."""
+    after, before = grid.after[i], grid.before[i]
+    if after != NOBODY:
+        grid.before[after] = before
+    if before != NOBODY:
+        grid.after[before] = after
+    else:
+        grid.head[grid.column[i] * grid.rows + grid.row[i]] = after
+
+
+@kernel
+def enter(i, column, row, grid):
+    """Put ball i on a cell's list."""
+    cell = column * grid.rows + row
+    first = grid.head[cell]
+    grid.after[i], grid.before[i] = first, NOBODY
+    if first != NOBODY:
+        grid.before[first] = i
+    grid.head[cell] = i
+    grid.column[i], grid.row[i] = column, row
+
+
+@kernel
+def cell_of(x, low, size, cells):
+    """The number of the cell along one axis; what lies beyond the edge belongs to the outer cells."""
+    if x <= low:
+        return 0
+    cell = (x - low) / size
+    return int(cell) if cell < cells - 1 else cells - 1
+
+
+@kernel
+def locate(i, ball, grid):
+    """Ball i has been put somewhere."""
+    if grid.column[i] != NOBODY:
+        leave(i, grid)
+    column = cell_of(ball.position.real, grid.west, grid.size, grid.columns)
+    row = cell_of(ball.position.imag, grid.south, grid.size, grid.rows)
+    enter(i, column, row, grid)
+
+
+@kernel
+def plan_crossing(i, ball, time, grid):
+    """When, after `time`, will the ball leave its cell, and over which edge?"""
+    grid.cross[i] = inf
+    if ball.phase == RESTING:
+        return
+    column, row = grid.column[i], grid.row[i]
+    t = time - ball.since
+    p, v, a = place(ball, t), ball.velocity + t * ball.acceleration, ball.acceleration
+    x, y, size, wait = p.real - grid.west, p.imag - grid.south, grid.size, inf
+    if column + 1 < grid.columns:
+        fall = first_fall((column + 1) * size - x, -v.real, -a.real)
+        if fall < wait:
+            wait, grid.edge[i] = fall, EAST
+    if column > 0:
+        fall = first_fall(x - column * size, v.real, a.real)
+        if fall < wait:
+            wait, grid.edge[i] = fall, WEST
+    if row + 1 < grid.rows:
+        fall = first_fall((row + 1) * size - y, -v.imag, -a.imag)
+        if fall < wait:
+            wait, grid.edge[i] = fall, NORTH
+    if row > 0:
+        fall = first_fall(y - row * size, v.imag, a.imag)
+        if fall < wait:
+            wait, grid.edge[i] = fall, SOUTH
+    grid.cross[i] = time + wait
+
+
+@kernel
+def cross(i, ball, grid):
+    """The ball goes over to the next cell, on the leg it is on."""
+    time = grid.cross[i]
+    edge = grid.edge[i]
+    column, row = grid.column[i], grid.row[i]
+    leave(i, grid)
+    if edge == EAST:
+        column += 1
+    elif edge == WEST:
+        column -= 1
+    elif edge == NORTH:
+        row += 1
+    else:
+        row -= 1
+    enter(i, column, row, grid)
+    plan_crossing(i, ball, time, grid)
+
+
+@kernel
+def rank(i, balls, grid):
+    """Ball i has a new next event: play its matches again; of equals the lower number wins."""
+    tree = grid.tree
+    node = (len(tree) // 2 + i) // 2
+    while node > 0:
+        left, right = tree[2 * node], tree[2 * node + 1]
+        tree[node] = left if right == NOBODY or balls[left].next <= balls[right].next else right
+        node //= 2
+
+
+@kernel
+def plan_near(i, balls, grid):
+    """Whom ball i will meet first among those who are near, and who will meet it before others."""
+    ball = balls[i]
+    west, east, south, north = ball.west, ball.east, ball.south, ball.north
+    ball.meets, ball.partner = inf, NOBODY
+    for m in range(neighbours(i, balls, grid)):
+        j = grid.near[m]
+        other = balls[j]
+        if other.west > east or other.east < west or other.south > north or other.north < south:
+            continue
+        when = meeting(ball, other)
+        if when < ball.meets:
+            ball.meets, ball.partner, grid.promise[i] = when, j, grid.turn[j]
+        if when < other.meets:
+            other.meets, other.partner, grid.promise[j] = when, i, grid.turn[i]
+            wait_for(j, balls, grid)
+    wait_for(i, balls, grid)
+
+
+@kernel
+def wait_for(i, balls, grid):
+    """Enter in the tournament what ball i waits for."""
+    ball = balls[i]
+    ball.next = min(ball.meets, ball.leg_end, grid.cross[i])
+    rank(i, balls, grid)
+
+
+@kernel
+def pass_by(i, balls, grid):
+    """Is what ball i waits for no event of physics?  Then that is settled: True."""
+    ball = balls[i]
+    if ball.meets <= ball.leg_end and ball.meets <= grid.cross[i]:
+        if grid.promise[i] == grid.turn[ball.partner]:
+            return False
+    elif grid.cross[i] < ball.leg_end:
+        cross(i, ball, grid)
+    else:
+        return False
+    plan_near(i, balls, grid)
+    return True
