@@ -7,7 +7,7 @@ import pytest
 
 from game.match.carom import Carom
 from game.match.positions import SAGU, SHELF, THREE_CUSHION, Position, opening, spotted
-from game.match.rules import Facts, Turn
+from game.match.rules import Turn
 from game.match.sagu import Sagu
 from game.match.skill import Aim
 from physics import Ball, simulate, tables
@@ -15,6 +15,7 @@ from physics import Ball, simulate, tables
 TABLES = [(2.448, 1.27, 0.03275), (2.54, 1.27, 0.03275), (2.84, 1.42, 0.03075)]
 OPENINGS = [opening(game, cue) for game in (SAGU, THREE_CUSHION) for cue in ("white", "yellow")]
 L, W = 2.84, 1.42
+LONG = {"north", "south"}
 
 
 @pytest.mark.parametrize(("length", "width", "radius"), TABLES)
@@ -67,8 +68,8 @@ def test_a_ball_whose_spot_is_covered_goes_to_the_next_free_one() -> None:
     assert spotted(lie, ("red",), "yellow", L, W, 0.0615)["red"] == (-L / 4, 0)
 
 
-def answered(position: Position) -> Facts:
-    """What the answer of a position does on the game's own table; it has to score."""
+@pytest.mark.parametrize("position", [*SHELF, *OPENINGS], ids=lambda p: f"{p.game}-{p.key}")
+def test_the_answer_of_a_position_scores_the_way_it_says(position: Position) -> None:
     four = position.game == SAGU
     table = tables.MEDIUM_CAROM if four else tables.MATCH_CAROM
     world = table.world()
@@ -77,28 +78,22 @@ def answered(position: Position) -> Facts:
     after = simulate(world, position.cue, Aim(*position.answer).shot())
     turn = Turn(position.cue, opening=position.key == "opening")
     verdict = (Sagu() if four else Carom()).verdict(after.log, turn)
-    assert verdict.made, verdict
-    return verdict.facts
+    assert verdict.made
+    assert verdict.facts.path == position.way
 
 
-@pytest.mark.parametrize("position", [*SHELF, *OPENINGS], ids=lambda p: f"{p.game}-{p.key}")
-def test_the_answer_of_a_position_scores(position: Position) -> None:
-    assert len(answered(position).hits) == 2
-
-
-def shelf(game: str, key: str) -> Facts:
-    return answered(next(p for p in SHELF if (p.game, p.key) == (game, key)))
-
-
-def test_the_answers_are_the_shots_that_the_names_promise() -> None:
+def test_the_ways_are_the_shots_that_the_names_promise() -> None:
+    ways = {p.key: p.way for p in SHELF}
     for key in ("follow", "draw", "stun", "gather", "rail_nurse"):
-        assert shelf(SAGU, key).path == ("red1", "red2")
-    assert shelf(SAGU, "one_cushion").path == ("red1", "south", "red2")
-    assert shelf(SAGU, "two_cushions").cushions == 2
-    assert shelf(SAGU, "bank").bank == 1
-    assert shelf(THREE_CUSHION, "outside").path == ("red", "north", "east", "south", "yellow")
-    assert shelf(THREE_CUSHION, "inside").path == ("red", "east", "south", "west", "yellow")
-    assert shelf(THREE_CUSHION, "around").cushions == 4
-    assert set(shelf(THREE_CUSHION, "cross_table").path[1:-1]) == {"north", "south"}
-    assert shelf(THREE_CUSHION, "bank_one").bank == 1
-    assert shelf(THREE_CUSHION, "bank_three").bank == 3
+        assert ways[key] == ("red1", "red2")
+    ups = {p.key: p.answer[3] for p in SHELF}
+    assert ups["follow"] > 0.15 > -0.15 > ups["draw"]
+    assert [len(ways[key]) for key in ("one_cushion", "two_cushions", "around")] == [3, 4, 6]
+    assert ways["outside"][1] in LONG  # behind the ball: long, short, long
+    assert ways["inside"][1] not in LONG  # in front of it: short, long, short
+    assert set(ways["cross_table"][1:-1]) == LONG
+    balls = {"white", "yellow", "red", "red1", "red2"}
+    first = {
+        key: next(i for i, what in enumerate(way) if what in balls) for key, way in ways.items()
+    }
+    assert (first["bank"], first["bank_one"], first["bank_three"]) == (1, 1, 3)
