@@ -2,7 +2,7 @@
 
 from .cluster import collide, crowded, gather
 from .contact import first_fall, meeting
-from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near
+from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .laws import hit_ball, hit_wall
 from .motion import RESTING, carry, motion, settle, swept
 from .subset import complex, inf, kernel
@@ -89,7 +89,7 @@ def plan_meetings(i, scene):
         ):
             when = meeting(ball, other)
         meetings[n * i + j] = meetings[n * j + i] = when
-        if when < other.meets or other.partner == i:
+        if other.partner == i or (when < inf and sooner(when, i, other)):
             appoint(j, i, when, balls, meetings)
         if when < ball.meets:
             ball.meets, ball.partner = when, j
@@ -100,7 +100,7 @@ def plan_meetings(i, scene):
 def appoint(j, i, when, balls, meetings):
     """Ball j learns when it will meet ball i, and whom it meets first now."""
     ball = balls[j]
-    if when < ball.meets:
+    if sooner(when, i, ball):
         ball.meets, ball.partner = when, i
     else:
         n = len(balls)

@@ -139,6 +139,12 @@ def rank(i, balls, grid):
 
 
 @kernel
+def sooner(when, i, ball):
+    """Would the ball meet ball i before whom it expects?  Of two at once the lower number is first."""
+    return when < ball.meets or (when == ball.meets and i < ball.partner)
+
+
+@kernel
 def plan_near(i, balls, grid):
     """Whom ball i will meet first among those who are near, and who will meet it before others."""
     ball = balls[i]
@@ -150,9 +156,9 @@ def plan_near(i, balls, grid):
         if other.west > east or other.east < west or other.south > north or other.north < south:
             continue
         when = meeting(ball, other)
-        if when < ball.meets:
+        if sooner(when, j, ball):
             ball.meets, ball.partner, grid.promise[i] = when, j, grid.turn[j]
-        if when < other.meets:
+        if sooner(when, i, other):
             other.meets, other.partner, grid.promise[j] = when, i, grid.turn[i]
             wait_for(j, balls, grid)
     wait_for(i, balls, grid)
