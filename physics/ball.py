@@ -25,9 +25,13 @@ class Clock:
 
     def copy(self) -> "Clock":
         clock = Clock(self.cloth)
-        clock.epoch, clock.now = self.epoch, self.now
-        clock.disturbed, clock.moved = self.disturbed, self.moved
+        clock.assign(self)
         return clock
+
+    def assign(self, other: "Clock") -> None:
+        """Show what the other one shows."""
+        for name in Clock.__slots__:
+            setattr(self, name, getattr(other, name))
 
 
 class Ball:

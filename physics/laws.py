@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import Any
 
-from .checks import finite, nonnegative
+from .checks import finite, nonnegative, positive
 from .kernel import laws as kernel
 from .kernel.body import Rule
 
@@ -173,6 +173,26 @@ class ThesisBall:
         return Rule(kernel.THESIS_BALL, self.e)
 
 
+@dataclass(frozen=True, slots=True)
+class HertzCluster:
+    """The accurate law for clusters of touching balls: contacts that are springs of Hertz.
+
+    Its equations are in physics/hertz.py. Balls whose gaps are below `gap`, m, count as touching:
+    real ones do below 0.1 to 0.4 mm, the length of a contact in time. e: restitution, above 0; None
+    is the ball law's own. Friction between the balls is the ball law's. World.cluster_law takes it,
+    with the engine EventDriven; a pair alone goes by the ball law.
+    """
+
+    e: float | None = None
+    gap: float = 1e-8
+
+    def __post_init__(self) -> None:
+        nonnegative("HertzCluster.gap", self.gap)
+        if self.e is not None:
+            _restitution(self, self.e)
+            positive("HertzCluster.e", self.e)
+
+
 CushionLaw = _CushionLaw | Callable[[complex, complex, float], CushionState]
 BallLaw = _BallLaw | ThesisBall | Callable[[complex, complex, float, float], tuple[float, complex]]
 
@@ -203,6 +223,15 @@ def ball_law(law: "str | BallLaw") -> BallLaw:
     }  # fmt: skip
     found: BallLaw = _law("ball law", law, names)
     return found
+
+
+def cluster_law(law: "str | HertzCluster | None") -> HertzCluster | None:
+    """The law itself; None stays None: tie groups of the ball law."""
+    if law == "hertz":
+        return HertzCluster()
+    if law is None or isinstance(law, HertzCluster):
+        return law
+    raise ValueError(f'cluster law must be None, "hertz" or a HertzCluster, not {law!r}')
 
 
 def _law(what: str, law: Any, names: dict[str, Callable[[], Any]]) -> Any:

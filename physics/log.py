@@ -144,6 +144,15 @@ class Log(Sequence[Event]):
         for legs in self._legs:
             del legs[:-1]
 
+    def mark(self) -> list[int]:
+        """How long it is, for `rewind`."""
+        return [len(self._events), *(len(legs) for legs in self._legs)]
+
+    def rewind(self, mark: list[int]) -> None:
+        """Forget what came after the mark."""
+        for entries, length in zip([self._events, *self._legs], mark, strict=True):
+            del entries[length:]
+
     def copy(self) -> "Log":
         """The same history, to be continued apart."""
         log = self.fresh()

@@ -13,6 +13,7 @@ from .kernel.motion import RESTING, carry, length
 from .log import Log
 from .shot import Shot
 from .wall import Wall
+from .watch import BallWatch, CushionWatch, undone
 
 OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
 FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
@@ -41,6 +42,7 @@ class World:
         self._cluster_law: laws.HertzCluster | None = None
         self._clock = Clock(self._cloth.felt())
         self._balls: list[Ball] = []
+        self._told: list[object] = []  # the laws from outside that were found to gain energy
         self._index: dict[str, int] = {}
         self._walls: list[Wall] = []
         self.log = Log()
@@ -154,11 +156,19 @@ class World:
 
     def _rules(self) -> tuple[object, object, object]:
         vmin = self._engine.vmin
-        return (
-            laws.ball_rule(self._ball_law, vmin),
-            laws.cushion_rule(self._cushion_law, vmin),
-            laws.cushion_table(self._cushion_law),
-        )
+        ball = laws.ball_rule(self._ball_law, vmin)
+        cushion = laws.cushion_rule(self._cushion_law, vmin)
+        if isinstance(ball, laws.ForeignRule):
+            ball.function = BallWatch(ball.function, self._balls, self._told, vmin)
+        if isinstance(cushion, laws.ForeignRule):
+            cushion.function = CushionWatch(cushion.function, self._balls, self._told, vmin)
+        return ball, cushion, laws.cushion_table(self._cushion_law)
+
+    @property
+    def watched(self) -> bool:
+        """Is a law from outside in use?  Then a run that fails is undone."""
+        rules = self.scene.ball_rule, self.scene.cushion_rule
+        return any(type(rule) is laws.ForeignRule for rule in rules)
 
     def _renew_rules(self) -> None:
         ball, cushion, table = self._rules()
@@ -170,6 +180,11 @@ class World:
     def time(self) -> float:
         """Seconds since the world began."""
         return self._clock.epoch + self._clock.now
+
+    @property
+    def clock(self) -> Clock:
+        """What the balls read the time from."""
+        return self._clock
 
     @property
     def epoch(self) -> float:
@@ -207,8 +222,15 @@ class World:
 
     def step(self, dt: float) -> None:
         """Let dt seconds pass; n steps of dt / n lead to the same rest, bit for bit, for any n."""
-        clock = self._clock
         nonnegative("World.step dt", dt)
+        if self.watched:
+            with undone(self):
+                self._step(dt)
+        else:
+            self._step(dt)
+
+    def _step(self, dt: float) -> None:
+        clock = self._clock
         if clock.disturbed:
             self.plan()
         now = clock.now + dt
@@ -220,6 +242,13 @@ class World:
         """Let time pass till all balls rest, or till world time `until`, s, that included."""
         if isnan(until) or until < self.time:
             raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
+        if self.watched:
+            with undone(self):
+                self._run(until)
+        else:
+            self._run(until)
+
+    def _run(self, until: float) -> None:
         self.plan()
         reached = self._engine.advance(self, until)
         self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
@@ -243,6 +272,8 @@ class World:
             ties=ties(len(balls)),
             grid=twin_grid(self.scene.grid) if self.scene.celled else no_grid(len(balls)),
         )
+        if world.watched:
+            world._renew_rules()  # so that it watches its own balls
         return world
 
     # -- taking in what somebody changed -------------------------------------------------------

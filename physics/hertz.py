@@ -1,0 +1,217 @@
+"""Touching clusters, accurately: springs of Hertz between the balls, till all have parted.
+
+Every contact pushes with F = k δ^(3/2) (1 + λ δ'), δ its overlap, along a line of centres that
+stays as it is (docs/physics.md, "Clusters"). What comes of it depends neither on speed nor on
+stiffness nor on radius, so all is reckoned with the greatest closing speed, a mass and a k of 1.
+"""
+
+from collections.abc import Sequence
+from math import inf, log1p
+from typing import TYPE_CHECKING, Any
+
+from .kernel.body import Body, Scene
+from .kernel.calendar import CLUSTER, NOTHING, plan_meetings, start_leg
+from .kernel.calendar import happen as happen_quickly
+from .kernel.cluster import AGREES, SWEEPS, closing_speed, slip_between
+from .kernel.grid import NOBODY, pass_by
+from .kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, friction, grip, press, toward
+from .kernel.motion import carry, length, place
+
+if TYPE_CHECKING:
+    from .laws import HertzCluster
+
+TOLERANCE = 1e-9  # of a step, in units of the overlap and of the greatest speed
+QUIET = 1e-9  # of the greatest closing speed: what closes more slowly is left to the next event
+STEPS = 20_000  # a full rack takes about 200
+LEAST = 1e-3  # restitution: no damping is strong enough for 0
+
+# Dormand and Prince, "A family of embedded Runge-Kutta formulae", J. Comp. Appl. Math. 6 (1980) 19
+STAGES = (
+    (1 / 5,),
+    (3 / 40, 9 / 40),
+    (44 / 45, -56 / 15, 32 / 9),
+    (19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729),
+    (9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656),
+    (35 / 384, 0.0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84),
+)
+ERROR = (71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
+
+Contacts = list[tuple[int, int]]
+
+
+def happen(i: int, scene: Scene, law: "HertzCluster") -> Any:
+    """The next event of ball i: (what, with whom) as the kernel's own.
+
+    It is the kernel's own, but for clusters that close with more than the least parting speed.
+    """
+    balls, rule = scene.balls, scene.ball_rule
+    if scene.celled and pass_by(i, balls, scene.grid):
+        return NOTHING, NOBODY
+    ball = balls[i]
+    time, j = ball.next, ball.partner
+    if ball.meets > ball.leg_end or len(balls) < 3:
+        return happen_quickly(i, scene)
+    members, contacts = gather(i, j, time, balls, law.gap)
+    if len(members) < 3:
+        return happen_quickly(i, scene)
+    for m in members:
+        carry(balls[m], time, scene.cloth)
+    closing = [closing_speed(balls[a], balls[b]) for a, b in contacts]
+    if max(closing) <= rule.parting:  # it only leans: the kernel's laws make things part at once
+        return happen_quickly(i, scene)
+    e = _restitution(law, rule)
+    pushes = outcome([balls[m] for m in members], _within(contacts, members), e)
+    _apply(contacts, pushes, scene)
+    for m in members:
+        start_leg(m, scene)
+    for m in members:
+        plan_meetings(m, scene)
+    return CLUSTER, len(contacts)
+
+
+def gather(i: int, j: int, time: float, balls: Any, gap: float) -> tuple[list[int], Contacts]:
+    """The balls that hang together with i and j by gaps below `gap`, m; and their contacts."""
+    members, contacts = [i, j], [(i, j)]
+    for a in members:
+        spot = place(balls[a], time - balls[a].since)
+        for k, other in enumerate(balls):
+            if k == a or {a, k} == {i, j}:
+                continue
+            far = length(place(other, time - other.since) - spot)
+            if far < balls[a].radius + other.radius + gap:
+                if k not in members:
+                    members.append(k)
+                if members.index(k) > members.index(a):
+                    contacts.append((a, k))
+    return members, contacts
+
+
+def _within(contacts: Contacts, members: list[int]) -> Contacts:
+    at = {m: k for k, m in enumerate(members)}
+    return [(at[a], at[b]) for a, b in contacts]
+
+
+def _restitution(law: "HertzCluster", rule: Any) -> float:
+    if law.e is None and rule.kind == FOREIGN_BALL:
+        raise ValueError("HertzCluster.e must be given: a ball law from outside does not tell it")
+    return max(LEAST, rule.restitution if law.e is None else law.e)
+
+
+def _apply(contacts: Contacts, pushes: Sequence[float], scene: Scene) -> None:
+    """The pushes, then the rubs; and a note of them where the engine looks for it."""
+    balls, ties, n = scene.balls, scene.ties, len(contacts)
+    for (a, b), push in zip(contacts, pushes, strict=True):
+        press(balls[a], balls[b], toward(balls[a], balls[b]), push, 0j)
+    if scene.ball_rule.kind in (ROUGH_BALL, ALCIATORE_BALL):
+        _rub(contacts, pushes, scene)
+    ties.first[:n], ties.second[:n], ties.total[:n] = (
+        [a for a, _ in contacts], [b for _, b in contacts], pushes
+    )  # fmt: skip
+
+
+def _rub(contacts: Contacts, pushes: Sequence[float], scene: Scene) -> None:
+    """Of all rubs that friction can hold, those that leave the least energy: contact by contact."""
+    pairs = [(scene.balls[a], scene.balls[b]) for a, b in contacts]
+    lines = [toward(a, b) for a, b in pairs]
+    slips = [slip_between(a, b, line) for (a, b), line in zip(pairs, lines, strict=True)]
+    most = [grip(s, scene.ball_rule) * push for s, push in zip(slips, pushes, strict=True)]
+    rubs = [0j] * len(pairs)
+    least = AGREES * max(length(slip) for slip in slips)
+    for _ in range(SWEEPS):
+        change = 0.0
+        for c, (a, b) in enumerate(pairs):
+            yielding = 3.5 * (1.0 / a.mass + 1.0 / b.mass)
+            wish = slip_between(a, b, lines[c]) - yielding * rubs[c]
+            rub = friction(wish, most[c], yielding) if most[c] > 0.0 else 0j
+            press(a, b, lines[c], 0.0, rub - rubs[c])
+            change = max(change, yielding * length(rub - rubs[c]))
+            rubs[c] = rub
+        if change <= least:
+            return
+
+
+def outcome(balls: Sequence[Body], contacts: Contacts, e: float) -> list[float]:
+    """The impulse, N s, that every contact (ball, ball) has passed when all have parted.
+
+    All contacts begin to touch at once; one that closes with the greatest speed, alone, parts with
+    e times that speed.
+    """
+    import numpy as np
+
+    lines = [toward(balls[a], balls[b]) for a, b in contacts]
+    arms = np.zeros((len(contacts), len(balls)), complex)
+    springs = np.empty(len(contacts))
+    for c, (a, b) in enumerate(contacts):
+        arms[c, a], arms[c, b] = lines[c].conjugate(), -lines[c].conjugate()
+        springs[c] = (
+            balls[a].radius * balls[b].radius / (balls[a].radius + balls[b].radius)
+        ) ** 0.5
+    closing = (arms @ np.array([ball.velocity for ball in balls])).real
+    speed, mass = closing.max(), balls[0].mass
+    yielding = ((arms * [mass / ball.mass for ball in balls]) @ arms.conj().T).real
+    pushes = _follow(closing / speed, yielding, springs / springs[0], damping(e), np)
+    return [float(push) for push in mass * speed * pushes]
+
+
+def damping(e: float) -> float:
+    """λ times the closing speed, for F = k δ^(3/2) (1 + λ δ') to part with e times that speed.
+
+    The root of x (1 + e) = log((1 + x) / (1 - e x)); the law is Hunt and Crossley's, J. Appl. Mech.
+    42 (1975) 440.
+    """
+    if e == 1.0:
+        return 0.0
+    low, high = 0.0, 1.0 / e
+    while True:
+        x = 0.5 * (low + high)
+        if not low < x < high:
+            return x
+        if e * x >= 1.0 or x * (1.0 + e) < log1p(x) - log1p(-e * x):
+            high = x
+        else:
+            low = x
+
+
+def _follow(closing: Any, yielding: Any, springs: Any, damp: float, np: Any) -> Any:
+    """The pushes when no contact closes any more; `yielding` @ pushes is what they take off the
+    closing speeds."""
+    n = len(closing)
+
+    def rates(y: Any) -> Any:
+        speeds = closing - yielding @ y[n:]
+        depth = np.maximum(y[:n], 0.0)
+        force = springs * depth * np.sqrt(depth) * np.maximum(1.0 + damp * speeds, 0.0)
+        return np.concatenate((speeds, force))
+
+    y, h = np.zeros(2 * n), 0.01
+    rate = rates(y)
+    for _ in range(STEPS):
+        if not (y[:n] > 0.0).any():
+            y[:n] += _flight(y[:n], rate[:n], np) * rate[:n]
+            if not ((y[:n] >= 0.0) & (rate[:n] > QUIET)).any():
+                break
+        y, rate, h = _step(y, rate, h, rates, np)
+    return y[n:]
+
+
+def _flight(overlaps: Any, speeds: Any, np: Any) -> float:
+    """How long till the next contact when none is pressed: 0 if none comes."""
+    comes = (overlaps < 0.0) & (speeds > QUIET)
+    if ((overlaps >= 0.0) & (speeds > QUIET)).any() or not comes.any():
+        return 0.0
+    return float((-overlaps[comes] / speeds[comes]).min())
+
+
+def _step(y: Any, rate: Any, h: float, rates: Any, np: Any) -> tuple[Any, Any, float]:
+    """One step of Dormand and Prince, tried till its error is small; and the next one's length."""
+    while True:
+        k = np.empty((7, len(y)))
+        k[0] = rate
+        for s, weights in enumerate(STAGES):
+            new = y + h * (np.array(weights) @ k[: s + 1])
+            k[s + 1] = rates(new)
+        error = h * float(np.abs(np.array(ERROR) @ k).max()) / TOLERANCE
+        factor = min(5.0, max(0.2, 0.9 * error**-0.2 if error > 0.0 else inf))
+        if error <= 1.0:
+            return new, k[6], h * factor
+        h *= factor

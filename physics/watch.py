@@ -1,0 +1,186 @@
+"""Laws from outside are watched: what they must not do is refused, and the run undone."""
+
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from math import isfinite
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any
+
+from .ball import Ball
+from .engine import EventBudgetError
+from .kernel.body import Body, twin_grid
+from .kernel.motion import length
+
+if TYPE_CHECKING:
+    from .world import World
+
+ROUNDING = 1e-9  # of the energy: what a law may gain by rounding
+ALIKE = 1e-9  # m/s: how well a ball must fit what a law was told, to be named
+
+_values = attrgetter(*Body.__slots__)
+
+
+class EnergyGainWarning(UserWarning):
+    """A law from outside has made energy; told once for a world, its copies and the law."""
+
+
+@dataclass(slots=True)
+class Watch:
+    """A law from outside, called in its own place: the same numbers in and out, but checked.
+
+    balls: those of the world. told: the laws of which it is known that they gain energy.
+    """
+
+    law: Callable[..., Any]
+    balls: list[Ball]
+    told: list[object]
+    parting: float
+
+    def call(self, what: str, *told: Any) -> Any:
+        """What the law says; ValueError if it changes a ball behind the engine's back."""
+        before = [_values(ball.body) for ball in self.balls]
+        spots = [ball.body.position for ball in self.balls]
+        try:
+            said = self.law(*told)
+        except Exception as error:
+            error.add_note(f"raised by {what}")
+            raise
+        for ball, was, spot in zip(self.balls, before, spots, strict=False):
+            if _values(ball.body) != was:
+                raise ValueError(
+                    f"{what} changed {ball!r}, which was at {(spot.real, spot.imag)}: a law only"
+                    " returns what becomes of a hit"
+                )
+        return said
+
+    def warn(self, what: str, gained: float, share: float) -> None:
+        """Once for this law."""
+        if any(law is self.law for law in self.told):
+            return
+        self.told.append(self.law)
+        warnings.warn(
+            f"{what} gained {gained:.3g} J, {100.0 * share:.3g} % of the energy it was given",
+            EnergyGainWarning,
+            stacklevel=2,
+        )
+
+
+class CushionWatch(Watch):
+    """A cushion law from outside."""
+
+    __slots__ = ()
+
+    def __call__(self, v: complex, roll: complex, side: float) -> tuple[complex, complex, float]:
+        ball = self._find(v, side)
+        who = f"ball {ball.name!r}" if ball else "a ball"
+        what = f"the cushion law {_name(self.law)}, at {who},"
+        said = self.call(what, v, roll, side)
+        new_v, new_roll, new_side = numbers = _numbers(what, said, (complex, complex, float))
+        if new_v.real < -ROUNDING * length(v):
+            raise ValueError(f"{what} lets it go on into the wall: it returned v = {new_v!r}")
+        had, has = _energy(v, roll, side), _energy(*numbers)
+        if has > had * (1.0 + ROUNDING):
+            self.warn(what, (has - had) * (ball.mass if ball else 1.0), has / had - 1.0)
+        # what touches parts, or contacts would never end
+        return complex(max(new_v.real, self.parting), new_v.imag), new_roll, new_side
+
+    def _find(self, v: complex, side: float) -> Ball | None:
+        """The ball that this is about, by what it does."""
+
+        def unlike(ball: Ball) -> float:
+            return float(abs(length(ball.body.velocity) - length(v)) + abs(ball.body.side - side))
+
+        return min((b for b in self.balls if unlike(b) < ALIKE), key=unlike, default=None)
+
+
+class BallWatch(Watch):
+    """A ball law from outside."""
+
+    __slots__ = ()
+
+    def __call__(
+        self, v: complex, roll: complex, side: float, mass: float
+    ) -> tuple[float, complex]:
+        what = f"the ball law {_name(self.law)}, at {self._find(v, side)},"
+        said = self.call(what, v, roll, side, mass)
+        push, rub = _numbers(what, said, (float, complex))
+        if mass * v.real - push > ROUNDING * mass * length(v):
+            raise ValueError(
+                f"{what} returned push = {push!r} N s; balls that close with {v.real!r} m/s need"
+                f" {mass * v.real!r} N s to part"
+            )
+        gained = _gain(v, roll, side, mass, push, rub)
+        had = 0.5 * mass * length(v) ** 2 + 0.1 * mass * (length(roll) ** 2 + side * side)
+        if gained > had * ROUNDING:
+            self.warn(what, gained, gained / had)
+        return max(push, mass * (v.real + self.parting)), rub
+
+    def _find(self, v: complex, side: float) -> str:
+        """The balls that this is about, by what they do and where they are."""
+
+        def unlike(pair: tuple[Body, Body]) -> float:
+            a, b = pair
+            slower = abs(length(a.velocity - b.velocity) - length(v))
+            return float(slower + abs(a.side + b.side - side))
+
+        found, names = ALIKE, "two balls"
+        for i, one in enumerate(self.balls):
+            for other in self.balls[i + 1 :]:
+                a, b = one.body, other.body
+                near = length(a.position - b.position) < 1.1 * (a.radius + b.radius)
+                if near and unlike((a, b)) < found:
+                    found, names = unlike((a, b)), f"balls {one.name!r} and {other.name!r}"
+        return names
+
+
+def _name(law: object) -> str:
+    return str(getattr(law, "__name__", None) or repr(law))
+
+
+def _numbers(what: str, said: Any, kinds: tuple[type, ...]) -> Any:
+    """So many finite numbers of these kinds, or ValueError."""
+    try:
+        values = tuple(kind(value) for kind, value in zip(kinds, said, strict=True))
+    except (TypeError, ValueError, OverflowError):
+        values = ()
+    if not values or not all(isfinite(z.real) and isfinite(z.imag) for z in values):
+        wanted = ", ".join(kind.__name__ for kind in kinds)
+        raise ValueError(f"{what} returned {said!r}; it must be finite numbers ({wanted})")
+    return values
+
+
+def _energy(v: complex, roll: complex, side: float) -> float:
+    """J/kg."""
+    return float(0.5 * length(v) ** 2 + 0.2 * (length(roll) ** 2 + side * side))
+
+
+def _gain(v: complex, roll: complex, side: float, mass: float, push: float, rub: complex) -> float:
+    """Energy, J, that these impulses give two balls which have `mass` as their reduced mass."""
+    moving = length(v - complex(push, -rub.real) / mass) ** 2 - length(v) ** 2
+    turning = rub.real * side - rub.imag * roll.real + 1.25 * length(rub) ** 2 / mass
+    return float(0.5 * mass * moving + turning)
+
+
+@contextmanager
+def undone(world: "World") -> Iterator[None]:
+    """If this fails, the world is as it was before; but for a budget of events that is used up."""
+    scene, clock = world.scene, world.clock
+    kept = scene._replace(meetings=scene.meetings[:], grid=twin_grid(scene.grid))
+    bodies = [_values(body) for body in scene.balls]
+    state = world.due, world.planned, world.allowed
+    then, mark = clock.copy(), world.log.mark()
+    try:
+        yield
+    except EventBudgetError:
+        raise
+    except BaseException:
+        for body, values in zip(scene.balls, bodies, strict=False):
+            for name, value in zip(Body.__slots__, values, strict=True):
+                setattr(body, name, value)
+        clock.assign(then)
+        world.scene = kept
+        world.due, world.planned, world.allowed = state
+        world.log.rewind(mark)
+        raise
