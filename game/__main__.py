@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import FrameType, ModuleType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -20,16 +24,46 @@ def main(arguments: list[str] | None = None) -> int:
     if options.version:
         return _version()
     try:
-        return _play(options)
+        with _sigterm_closes_the_window():
+            return _play(options)
     except ValueError as error:
         print(f"danggu: {error}", file=sys.stderr)
         return 2
 
 
+@contextmanager
+def _sigterm_closes_the_window() -> Iterator[None]:
+    """Take SIGTERM as a QUIT, also before SDL has set its own handler; put the old one back after."""
+
+    def leave(number: int, frame: FrameType | None) -> None:
+        pygame = sys.modules.get("pygame")
+        if pygame is None or not getattr(pygame, "display", None) or not pygame.display.get_init():
+            raise SystemExit(0)
+        pygame.event.post(pygame.event.Event(pygame.QUIT))
+
+    before = signal.signal(signal.SIGTERM, leave)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+def _pygame() -> ModuleType:
+    """Import pygame, which would load setuptools (0.1 s) only to find its own icon; it can without."""
+    absent = "pkg_resources" not in sys.modules
+    if absent:
+        sys.modules["pkg_resources"] = None  # type: ignore[assignment]
+    import pygame
+
+    if absent:
+        del sys.modules["pkg_resources"]
+    return pygame
+
+
 def _version() -> int:
     from importlib.metadata import PackageNotFoundError, version
 
-    import pygame
+    pygame = _pygame()
 
     try:
         own = version("danggu")
@@ -42,8 +76,7 @@ def _version() -> int:
 
 
 def _play(options: Options) -> int:
-    import pygame
-
+    pygame = _pygame()
     from .app import App
     from .script import read
 

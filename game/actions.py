@@ -13,7 +13,7 @@ class Action(NamedTuple):
     """One thing the player wants; `value` is its argument, if it has one.
 
     edit BOX · clear · type TEXT · erase · enter · leave · shoot · fire · place · stop · retry ·
-    pause · frame · engine · law · language · help · set "BOX NUMBER" · quit
+    pause · frame · skip · engine · law · language · help · set "BOX NUMBER ..." · quit
     """
 
     name: str
@@ -34,6 +34,7 @@ PLAY = {
     pygame.K_e: Action("engine"),
     pygame.K_l: Action("law"),
     pygame.K_r: Action("retry"),
+    pygame.K_END: Action("skip"),
 }
 EDITING = {
     pygame.K_RETURN: Action("enter"),

@@ -22,6 +22,8 @@ READING = TICKS // 10
 """How often the read-outs change while balls move: faster cannot be read."""
 
 MOST_TRACED = 6
+LONGEST_SHOT = 300
+"""Seconds after which a shot that is to be skipped is left running."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,12 +75,12 @@ class Game:
         self.version += 1
 
     def _edit(self, box: int = 0) -> None:
-        self.shown_shot = False
+        self.shown_shot = self.shown_shot and self.moving
         self.aim.edit(box)
 
     def _clear(self) -> None:
-        self.shown_shot = False
-        self.aim.edit(0, clear=True)
+        self._edit()
+        self.aim.edit(clear=True)
 
     def _type(self, text: str) -> None:
         if self.aim.box is None:
@@ -129,7 +131,7 @@ class Game:
 
     def _stop(self) -> None:
         self.world.stop()
-        self.moving = False
+        self._rest()
         self._read()
 
     def _retry(self) -> None:
@@ -145,6 +147,13 @@ class Game:
     def _frame(self) -> None:
         self.paused = True
         self._run(FRAME)
+
+    def _skip(self) -> None:
+        """Go on to the end of the shot at once, unless it has none."""
+        for _ in range(LONGEST_SHOT):
+            if self.moving:
+                self._step(1.0)
+        self._read()
 
     def _engine(self) -> None:
         keys = list(setup.ENGINES)
@@ -216,7 +225,14 @@ class Game:
         except EventBudgetError:
             self.world.stop()
             self.notice = Notice("budget", error=True)
-        self.moving = self._moves()
+        if not self._moves():
+            self._rest()
+
+    def _rest(self) -> None:
+        """All balls lie still: an entry begun meanwhile comes on show."""
+        self.moving = False
+        if self.aim.box is not None or self.aim.complete:
+            self.shown_shot = False
 
     # -- what there is to see ------------------------------------------------------------------
 
@@ -286,7 +302,7 @@ class Game:
     _handlers = {
         "edit": _edit, "clear": _clear, "type": _type, "erase": _erase, "enter": _enter,
         "leave": _leave, "shoot": _shoot, "fire": _fire, "place": _place, "stop": _stop,
-        "retry": _retry, "pause": _pause, "frame": _frame, "engine": _engine, "law": _law,
+        "retry": _retry, "pause": _pause, "frame": _frame, "skip": _skip, "engine": _engine, "law": _law,
         "language": _language, "help": _help, "quit": _quit, "set": _set,
     }  # fmt: skip
 

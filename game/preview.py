@@ -12,8 +12,8 @@ Place = tuple[float, float]
 
 CURVE = 12
 """Points on a curved leg: the chord of the longest slide stays within a pixel of the arc at 4K."""
-MOST_CUSHIONS = 5
-"""Cushions after which a previewed path ends: three-cushion shots need three, four help."""
+MOST_CUSHIONS = 6
+"""Cushions after which a previewed path ends: nobody plans for more."""
 SAME = 0.02
 """Seconds: contacts with one ball that follow each other faster are one contact to the eye."""
 MOVED = 1e-9
@@ -139,7 +139,7 @@ def path(log: Log, name: str, since: float, until: float) -> tuple[Place, ...]:
 def _moved(log: Log, name: str, since: float, until: float) -> list[tuple[Leg, float, float]]:
     """The legs on which a ball got anywhere, each with the times between which it was on it."""
     legs = log.legs(name)
-    ends = [leg.time for leg in legs[1:]] + [until]
+    ends = [leg.time for leg in legs[1:]] + [until] * bool(legs)
     spans = ((leg, max(leg.time, since), min(end, until)) for leg, end in zip(legs, ends, strict=True))
     return [(leg, a, b) for leg, a, b in spans if b > a and _far(leg, a, b)]
 

@@ -11,9 +11,10 @@ from game.render.theme import ACCENT, LINE_TRACK, PANEL, PANEL_RAISED, TEXT, TEX
 from game.text import words
 
 ROW = 25
-KEY_COLUMN = 112
+KEY_COLUMN = 118
 Rows = tuple[tuple[str, str], ...]
-LEFT_COLUMN: tuple[tuple[str, Rows], ...] = (
+Section = tuple[str, Rows]
+LEFT_COLUMN: tuple[Section, ...] = (
     (
         "help.play",
         (
@@ -21,29 +22,39 @@ LEFT_COLUMN: tuple[tuple[str, Rows], ...] = (
             ("→", "help.right"),
             ("name.digits", "help.digit"),
             ("name.enter", "help.return"),
-            ("Ctrl+{name.enter}", "help.ctrl"),
+            ("Ctrl+Enter", "help.ctrl"),
             ("↓", "help.down"),
             ("name.space", "help.space"),
             ("R", "help.retry"),
             ("P", "help.pause"),
             (".", "help.frame"),
+            ("End", "help.skip"),
             ("E", "help.engine"),
             ("L", "help.law"),
         ),
     ),
 )
-RIGHT_COLUMN: tuple[tuple[str, Rows], ...] = (
+RIGHT_COLUMN: tuple[Section, ...] = (
     (
         "help.box",
         (
             ("name.enter", "help.next"),
             ("name.back", "help.back"),
-            ("Tab  Shift+Tab", "help.tab"),
+            ("Tab, Shift+Tab", "help.tab"),
             ("Esc", "help.esc"),
         ),
     ),
+    (
+        "help.numbers",
+        (
+            ("box.speed", "help.speed"),
+            ("box.follow", "help.follow"),
+            ("box.masse", "help.masse"),
+            ("box.side", "help.side"),
+            ("box.angle", "help.angle"),
+        ),
+    ),
     ("help.always", (("F1", "help.help"), ("F2", "help.language"))),
-    ("help.mouse", (("name.click", "help.click"),)),
 )
 
 
@@ -71,7 +82,7 @@ def draw(surface: pygame.Surface, layout: Layout, type_: Type, language: str) ->
         for title, rows in sections:
             y = _section(surface, type_, w, (x, y), title, rows)
     foot = rect.bottom - 22 * s
-    type_.draw(surface, w["help.shot"], (left, foot), 13, TEXT_SOFT)
+    type_.draw(surface, w["help.click"], (left, foot), 13, TEXT_SOFT)
     return surface.get_rect()
 
 
@@ -88,18 +99,12 @@ def _section(
     type_.draw(surface, w[title], (x, y), 13, ACCENT)
     y += 8 * s
     for key, said in rows:
-        name = key_name(key, w)
+        name = w.get(key, key)
         cap = pygame.Rect(x, round(y), type_.width(name, 12) + round(14 * s), round(20 * s))
         shapes.box(surface, cap, s, PANEL_RAISED, LINE_TRACK, radius=4)
         base = cap.centery + type_.cap(12) / 2
         type_.draw(surface, name, (cap.centerx, base), 12, TEXT, "centre")
         type_.draw(surface, w[said], (x + KEY_COLUMN * s, base), 13, TEXT_SOFT)
         y += ROW * s
-    return y + 22 * s
+    return y + 20 * s
 
-
-def key_name(key: str, w: dict[str, str]) -> str:
-    """Return a key's name: as it is, or from the words."""
-    if key.startswith("Ctrl+"):
-        return "Ctrl+" + w["name.enter"]
-    return w.get(key, key)

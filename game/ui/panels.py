@@ -167,11 +167,11 @@ def _nothing_met(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
 
 
 def eighths(overlap: float) -> str:
-    """The thickness to the nearest eighth, in lowest terms: "1/8" "1/2" "1"."""
+    """The thickness to the nearest eighth, in lowest terms: "<1/8" "1/8" "1/2" "1"."""
     n, d = round(abs(overlap) * EIGHTHS), EIGHTHS
     while n and n % 2 == 0 and d > 1:
         n, d = n // 2, d // 2
-    return "0" if n == 0 else str(n) if d == 1 else f"{n}/{d}"
+    return "<1/8" if n == 0 else str(n) if d == 1 else f"{n}/{d}"
 
 
 # -- the last shot -------------------------------------------------------------------------------
@@ -232,7 +232,8 @@ def _lanes_look(sight: Sight) -> Hashable:
     game = sight.game
     if sight.mode == "aim":
         return game.language, "aim", game.preview_number
-    return game.language, game.shots, game.began, len(game.world.log), game.readout_time
+    shot = (game.shots, game.began, len(game.world.log))
+    return game.language, shot, game.readout_time, game.moving and not game.paused
 
 
 def _lanes_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -248,7 +249,20 @@ def _lanes_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyg
         length = max(time, told.duration)
         label = w["time"].format(now=number(time), all=number(length))
     drawn = _lanes(game, told)
-    return lanes.timeline(surface, rect, sight.type, drawn, length, label, time=time)
+    playing = game.moving and not game.paused
+    return lanes.timeline(
+        surface, rect, sight.type, drawn, length, label, "", time, playing
+    )
+
+
+def _lanes_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
+    """The three buttons: before the shot, play or pause, to the end."""
+    game = sight.game
+    names = ("retry", "pause" if game.moving else "fire", "skip")
+    for box, name in zip(lanes.buttons(rect, sight.layout.s), names, strict=True):
+        if box.collidepoint(at) and (name != "retry" or game.shots):
+            return Action(name)
+    return None
 
 
 def _lanes(game: Game, told: Story | None) -> list[lanes.Lane]:
@@ -297,7 +311,7 @@ def shot_parts(layout: Layout) -> list[Part]:
     head = layout.score[0].union(layout.score[2])
     return [
         Part("head", head, _head_look, _head_draw),
-        Part("lanes", layout.timeline, _lanes_look, _lanes_draw),
+        Part("lanes", layout.timeline, _lanes_look, _lanes_draw, _lanes_touch),
         Part("tip", layout.tip, _tip_key, _tip_draw, _tip_touch, drags=True, mode="aim"),
         Part("power", layout.power, _power_key, _power_draw, _power_touch, drags=True, mode="aim"),
         Part("thickness", layout.thickness, _thickness_key, _thickness_draw, mode="aim"),

@@ -1,0 +1,81 @@
+"""A player made of posted events: games without a clock, keys and text as SDL would send them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pygame
+
+from game.__main__ import new_game
+from game.app import App
+from game.clock import TICKS
+from game.options import Options
+from game.play import Game
+
+FRAME = TICKS // 60
+
+
+def an_app(size=(960, 540), **options) -> App:
+    """An app whose frames the test asks for."""
+    chosen = replace(Options(), size=size, frames=1, **options)
+    app = App(new_game(chosen), chosen)
+    app.frame(0)
+    return app
+
+
+def press(app: App, *names: str, frames: bool = True) -> None:
+    """Press keys by name, "ctrl+return" for example, each in a frame of its own."""
+    for name in names:
+        *held, last = name.split("+")
+        mods = {"ctrl": pygame.KMOD_CTRL, "shift": pygame.KMOD_SHIFT}
+        key = getattr(pygame, f"K_{last.upper()}", None) or getattr(pygame, f"K_{last}")
+        char = last if len(last) == 1 else ""
+        mod = sum(mods[h] for h in held)
+        pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=key, mod=mod, unicode=char))
+        if frames:
+            app.frame(FRAME)
+
+
+def write(app: App, text: str) -> None:
+    """Send characters as an input method does."""
+    for char in text:
+        pygame.event.post(pygame.event.Event(pygame.TEXTINPUT, text=char))
+    app.frame(FRAME)
+
+
+def enter(app: App, *texts: str) -> None:
+    """Clear the boxes, fill in texts and complete the entry."""
+    press(app, "right")
+    for text in texts:
+        write(app, text)
+        press(app, "return")
+
+
+def click(app: App, at: tuple[float, float], to: tuple[float, float] | None = None) -> None:
+    """Press the left button, drag if asked, release."""
+    at = (round(at[0]), round(at[1]))
+    end = at if to is None else (round(to[0]), round(to[1]))
+    kinds = pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION, pygame.MOUSEBUTTONUP
+    for kind, pos in zip(kinds, (at, at, end, end), strict=True):
+        event = pygame.event.Event(kind, pos=pos, button=1, rel=(0, 0), buttons=(1, 0, 0))
+        pygame.event.post(event)
+    app.frame(FRAME)
+
+
+def run_to_rest(app: App, most: int = 6000) -> None:
+    """Let frames pass until nothing moves."""
+    for _ in range(most):
+        if not app.game.moving:
+            return
+        app.frame(FRAME)
+    raise AssertionError("the balls never came to rest")
+
+
+def places(game: Game) -> list[tuple[float, float]]:
+    """Where the balls are."""
+    return [ball.position for ball in game.world.balls]
+
+
+def pixels(app: App) -> bytes:
+    """The whole picture."""
+    return pygame.image.tobytes(app.screen, "RGB")
