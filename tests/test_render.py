@@ -477,7 +477,7 @@ def test_a_fading_path_is_paler_at_its_end():
 def test_dropping_points_moves_a_path_by_less_than_the_tolerance():
     path = [(10 + i, 200 + 80 * sin(i / 40)) for i in range(400)]
     kept = lines.decimated(path, 0.25)
-    assert len(kept) < 80
+    assert len(kept) < len(path) / 4
     x, y = np.array(kept).T
     off = np.interp([p[0] for p in path], x, y) - np.array([p[1] for p in path])
     assert np.abs(off).max() <= 0.25 * hypot(1, 2)
@@ -560,6 +560,16 @@ def test_the_background_is_the_same_every_time_and_brightest_under_the_lamps(sha
     lamp = light(0.27 * layout.length, 0.08)
     assert lamp > light(0.45 * layout.length, 0.4 * layout.width) > 0.5 * lamp
     assert tuple(first.get_at((2, 2)))[:3] != (0, 0, 0)
+
+
+@pytest.mark.parametrize("layout", layouts()[:20], ids=same)
+def test_the_floor_is_plain_wherever_a_card_or_a_focus_ring_wipes_it(layout):
+    floor = pixels(table.background(layout))
+    for rect in (*layout.score, *layout.fields, layout.panel, layout.engine, layout.shoot):
+        room = rect.inflate(2 * round(4 * layout.s), 2 * round(4 * layout.s))
+        room = room.clip((0, 0, *layout.size))
+        part = floor[room.x : room.right, room.y : room.bottom]
+        assert (part == theme.BACKGROUND).all()
 
 
 def test_walls_inside_the_bed_are_drawn_where_they_stand():

@@ -53,9 +53,12 @@ def texture(layout: Layout, width: int, height: int) -> Floats:
     s = layout.s
     fine = noise.nap(256, (1.6 * s, 0.55 * s), 3) + 0.6 * noise.nap(256, (0.45 * s, 0.45 * s), 5)
     total = noise.tiled(np.float32(0.0135) * fine, width, height)
-    wide = noise.smooth(width, height, (64 * s, 26 * s), 7)
-    wide += 0.6 * noise.smooth(width, height, (19 * s, 11 * s), 9)
-    return np.asarray(total + np.float32(0.006) * wide, np.float32)
+    # the wide changes are even over two px: half the size, each value four times
+    half = (width // 2 + 1, height // 2 + 1)
+    wide = noise.smooth(*half, (32 * s, 13 * s), 7)
+    wide += np.float32(0.6) * noise.smooth(*half, (9.5 * s, 5.5 * s), 9)
+    wide *= np.float32(0.006)
+    return np.asarray(total + wide.repeat(2, 0).repeat(2, 1)[:width, :height], np.float32)
 
 
 def cushion(layout: Layout, count: int, away: Floats, side: float, seed: int) -> Floats:

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import cos, sin
 
 import numpy as np
 import pygame
+from numpy.typing import NDArray
 
 from . import raster, theme
 from .arrays import Floats
 from .layout import Layout
 
 LENGTH = 1.40
+ACROSS = 33
+"""Shades across the stick."""
 TIP, BUTT = 0.0060, 0.0145
 """Radius at the two ends, m."""
 LEAST = 0.012
@@ -57,9 +61,12 @@ def draw(
     metres = near.along / layout.scale
     half = (TIP + (BUTT - TIP) * metres / LENGTH) * layout.scale
     cover = (half + 0.5 - near.away).clip(0, 1) * alpha * _inside(layout, near)
-    side = _side(near, ends)
-    colour = _wood(metres, near.away * side / half)
-    return dirty.union(raster.blend(surface, near.x, near.y, cover.astype(np.float32), colour))
+    some = cover > 0
+    across = (near.away * _side(near, ends) / half).clip(-1, 1)[some]
+    row = near.along[some].astype(np.intp)
+    column = ((across + 1) * ((ACROSS - 1) / 2) + 0.5).astype(np.intp)
+    colour = _texture(layout.scale)[row, column]
+    return dirty.union(raster.blend(surface, near.x[some], near.y[some], cover[some], colour))
 
 
 def _shadow(
@@ -100,20 +107,22 @@ def _side(near: raster.Touched, ends: list[tuple[float, float]]) -> Floats:
     return np.asarray(np.where(cross * facing < 0, 1, -1), np.float32)
 
 
-def _wood(metres: Floats, across: Floats) -> Floats:
-    """Return the colour (n, 3) at `metres` from the tip and `across` (-1 to 1, 1 lit) the stick."""
+@lru_cache(maxsize=2)
+def _texture(scale: float) -> Floats:
+    """Return the colours (length, ACROSS, 3) of the whole stick, lit, at `scale` px per metre."""
+    metres = np.arange(int(LENGTH * scale) + 2, dtype=np.float32) / np.float32(scale)
+    across = np.linspace(-1, 1, ACROSS, dtype=np.float32)
     starts = np.array([start for start, _ in PARTS], np.float32)
     colours = np.array([colour for _, colour in PARTS], np.float32)
-    base = colours[np.searchsorted(starts, metres, side="right") - 1]
-    base = _points(base, metres, across)
-    round_ = np.sqrt((1 - (across - 0.25) ** 2 * 0.62).clip(0, 1))
+    base = colours[np.searchsorted(starts, metres, side="right") - 1][:, None]
+    base = np.where(_inlaid(metres[:, None], across)[..., None], np.array(theme.CUE_POINTS), base)
+    turned = np.sqrt((1 - (across - 0.25) ** 2 * 0.62).clip(0, 1))
     shine = np.exp(-(((across - 0.38) / 0.20) ** 2))[:, None]
-    lit = base * (0.34 + 0.70 * round_[:, None] ** 2)
+    lit = base * (0.34 + 0.70 * turned[:, None] ** 2)
     return np.asarray((lit + shine * (14 + 0.13 * base)).clip(0, 255), np.float32)
 
 
-def _points(base: Floats, metres: Floats, across: Floats) -> Floats:
-    """Inlay the long light points of the butt."""
-    tip = 0.90 - 0.16 * np.abs(across)
-    inlaid = (metres > 0.716) & (metres < tip) & (np.abs(across) < (0.90 - metres) / 0.18)
-    return np.asarray(np.where(inlaid[:, None], np.array(theme.CUE_POINTS), base), np.float32)
+def _inlaid(metres: Floats, across: Floats) -> NDArray[np.bool_]:
+    """Say where the long light points of the butt are."""
+    inside = (metres > 0.716) & (np.abs(across) < (0.90 - metres) / 0.18)
+    return np.asarray(inside & (metres < 0.90 - 0.16 * np.abs(across)))

@@ -41,7 +41,7 @@ def field(
     right = rect.right - round(12 * s)
     type_.draw(surface, unit, (right, baseline), 13, theme.TEXT_SOFT, "right")
     room_left = rect.x + round(12 * s)
-    room_right = right - round((UNIT_COLUMN + 8) * s)
+    room_right = right - _unit_room(type_, unit)
     window = pygame.Rect(room_left, rect.y + round(20 * s), room_right - room_left, round(28 * s))
     ink = {"invalid": theme.ERROR, "disabled": theme.TEXT_SOFT}.get(state, theme.TEXT)
     _value(surface, window, type_, value, baseline, ink, caret, selected)
@@ -92,9 +92,15 @@ def _value(
     surface.set_clip(clip)
 
 
-def caret_at(rect: pygame.Rect, type_: Type, value: str, x: float) -> int:
+def _unit_room(type_: Type, unit: str) -> int:
+    """Return the width of the column at the right that holds the unit."""
+    column = round((UNIT_COLUMN + 8) * type_.s)
+    return max(column, type_.width(unit, 13) + round(5 * type_.s))
+
+
+def caret_at(rect: pygame.Rect, type_: Type, value: str, x: float, unit: str = "") -> int:
     """Return the place in `value` nearest to the screen's `x`, for a click into a box."""
-    left = rect.right - round(12 * type_.s) - round((UNIT_COLUMN + 8) * type_.s)
+    left = rect.right - round(12 * type_.s) - _unit_room(type_, unit)
     left -= type_.width(value, 20)
     return min(range(len(value) + 1), key=lambda i: abs(left + type_.width(value[:i], 20) - x))
 

@@ -17,42 +17,34 @@ from . import raster
 from .arrays import Floats, Points
 from .theme import HALO, Colour
 
-TAIL = 0.30
-"""Alpha at the end of a predicted path, as a share of that at its beginning, is TAIL / 0.92."""
 HALO_ALPHA = 0.38
+SHARES = (1 / 32, 1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2)
+"""What each round of `decimated` may spend: dropping every second point costs four times more."""
 
 
 def decimated(points: Points, tolerance: float = 0.25) -> list[tuple[float, float]]:
     """Return the points of a path that matter: dropping the others moves it less than `tolerance`.
 
-    Ramer, Douglas and Peucker's rule, iterative.  In px 0.25 cannot be seen.
+    Every second point goes if it is near the line between its neighbours, again and again; each
+    round may move the path by its share of the tolerance.  In px 0.25 cannot be seen.
     """
     path = np.asarray(points, np.float64).reshape(-1, 2)
-    keep = {0, len(path) - 1}
-    stack = [(0, len(path) - 1)]
-    while stack:
-        first, last = stack.pop()
-        if last - first < 2:
-            continue
-        away = _distances(path[first + 1 : last], path[first], path[last])
-        worst = int(away.argmax())
-        if away[worst] > tolerance:
-            middle = first + 1 + worst
-            keep.add(middle)
-            stack += [(first, middle), (middle, last)]
-    return [(float(path[i, 0]), float(path[i, 1])) for i in sorted(keep)]
+    for share in SHARES:
+        odd = path[1:-1:2]
+        away = _distances(odd, path[:-2:2], path[2::2])
+        keep = np.ones(len(path), bool)
+        keep[1:-1:2] = away > tolerance * share
+        path = path[keep]
+    return [(x, y) for x, y in path.tolist()]
 
 
-def _distances(
-    points: Floats,
-    first: Floats,
-    last: Floats,
-) -> Floats:
-    """Return the distance of each point from the segment first-last."""
+def _distances(points: Floats, first: Floats, last: Floats) -> Floats:
+    """Return the distance of each point from its own segment first-last."""
     step = last - first
-    share = ((points - first) @ step / max(float(step @ step), 1e-12)).clip(0, 1)
+    square = np.maximum((step * step).sum(axis=1), 1e-12)
+    share = (((points - first) * step).sum(axis=1) / square).clip(0, 1)
     gap = points - first - share[:, None] * step
-    return np.hypot(gap[:, 0], gap[:, 1])
+    return np.asarray(np.hypot(gap[:, 0], gap[:, 1]), np.float64)
 
 
 def length(points: Points) -> float:

@@ -15,6 +15,8 @@ from .arrays import Bytes, Floats, Points
 from .layout import BORDER, CUSHION, Layout
 from .theme import BACKGROUND, CLOTHS, Colour, mix
 
+SHADOW = 8
+"""Width of the table's shadow on the floor, px at s = 1: less than the gap to a focus ring."""
 SIDES = ((1.10, 11), (0.96, 23), (1.02, 37), (1.05, 41))
 """Light on the far, near, left and right cushion, and a seed for each board's grain."""
 
@@ -29,7 +31,7 @@ def background(layout: Layout, cloth: str = "blue", walls: Sequence[Points] = ()
     surface.fill(BACKGROUND)
     colour = CLOTHS[cloth]
     _floor_shadow(surface, layout)
-    _blit(surface, layout.table, _framed(surface, layout, colour))
+    _borders(surface, layout, _framed(surface, layout, colour))
     _toned(surface, layout.bed, cloths.bed(layout), colour)
     _spots(surface, layout, colour)
     for wall in walls:
@@ -37,9 +39,12 @@ def background(layout: Layout, cloth: str = "blue", walls: Sequence[Points] = ()
     return surface
 
 
-def _blit(surface: pygame.Surface, box: pygame.Rect, picture: Floats) -> None:
-    pixels = pygame.surfarray.pixels3d(surface)
-    pixels[box.x : box.right, box.y : box.bottom] = (picture + 0.5).clip(0, 255)
+def _borders(surface: pygame.Surface, layout: Layout, picture: Floats) -> None:
+    """Copy the rails of a picture of the table: its four borders, the bed is painted apart."""
+    box, depth = layout.table, int(BORDER * layout.scale) + 3
+    pixels = pygame.surfarray.pixels3d(surface)[box.x : box.right, box.y : box.bottom]
+    for part in _sides(depth):
+        pixels[part] = (picture[part] + 0.5).clip(0, 255)
 
 
 def _toned(surface: pygame.Surface, box: pygame.Rect, light: Floats, colour: Colour) -> None:
@@ -54,21 +59,25 @@ def _toned(surface: pygame.Surface, box: pygame.Rect, light: Floats, colour: Col
 
 
 def _floor_shadow(surface: pygame.Surface, layout: Layout) -> None:
-    """Darken the floor around the table; worked out at a quarter of the size, as it is so soft."""
-    reach = 40 * layout.s
-    box = layout.table.inflate(2 * reach, 2 * reach).move(0, round(5 * layout.s))
-    small = (max(2, box.w // 4), max(2, box.h // 4))
-    x = (np.arange(small[0]) + 0.5) * box.w / small[0] - box.w / 2
-    y = (np.arange(small[1]) + 0.5) * box.h / small[1] - box.h / 2
-    gap = [
-        (np.abs(a) - side / 2 + 6).clip(0, None)
-        for a, side in ((x, layout.table.w), (y, layout.table.h))
+    """Darken the floor around the table, but not where cards may be wiped with its plain colour."""
+    reach = SHADOW * layout.s
+    box = layout.table.inflate(2 * int(reach), 2 * int(reach))
+    gaps = [
+        (np.abs(np.arange(n) + 0.5 - n / 2) - side / 2 + reach / 4).clip(0, None)
+        for n, side in zip(box.size, layout.table.size, strict=True)
     ]
-    away = np.hypot(gap[0][:, None], gap[1][None])
-    shade = pygame.Surface(small, pygame.SRCALPHA, 32)
-    fall = (1 - away / reach).clip(0, 1)
-    pygame.surfarray.pixels_alpha(shade)[:] = np.round(200 * fall**2.2)
-    surface.blit(pygame.transform.smoothscale(shade, box.size), box)
+    for part in _sides(2 * int(reach) + 2):
+        across, down = gaps[0][part[0]], gaps[1][part[1]]
+        away = (np.hypot(across[:, None], down[None]) / (1.25 * reach)).clip(0, 1)
+        left, top = (p.indices(n)[0] for p, n in zip(part, box.size, strict=True))
+        band = pygame.Rect(box.x + left, box.y + top, len(across), len(down))
+        _toned(surface, band, 1 - 0.9 * (1 - away) * np.sqrt(1 - away), BACKGROUND)
+
+
+def _sides(depth: int) -> list[tuple[slice, slice]]:
+    """Return the four borders of any picture, `depth` px deep: far, near, left, right."""
+    every, first, last = slice(None), slice(0, depth), slice(-depth, None)
+    return [(every, first), (every, last), (first, every), (last, every)]
 
 
 def _framed(surface: pygame.Surface, layout: Layout, colour: Colour) -> Floats:
