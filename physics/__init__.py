@@ -7,11 +7,13 @@ from .cloth import Cloth
 from .engine import EventBudgetError, EventDriven
 from .log import Event, Leg, Log, State
 from .shot import Shot
+from .stepping import TimeStepping
 from .trace import trace
 from .wall import Wall
 from .world import World, simulate
 
 __all__ = [
     "Ball", "Cloth", "Event", "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Shot",
-    "State", "Wall", "World", "laws", "scenes", "simulate", "simulate_many", "tables", "trace",
+    "State", "TimeStepping", "Wall", "World", "laws", "scenes", "simulate", "simulate_many", "tables",
+    "trace",
 ]  # fmt: skip

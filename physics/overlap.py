@@ -1,0 +1,108 @@
+"""Contacts noticed on a grid of times: two things overlap, and still approach each other."""
+
+from typing import TYPE_CHECKING, Any
+
+from .kernel.calendar import CUSHION, PAIR, PHASE
+from .kernel.laws import hit_ball, hit_wall
+from .kernel.motion import RESTING, carry, motion, place, settle
+
+if TYPE_CHECKING:
+    from .world import World
+
+KEEP = 1 / 2000  # s between legs in the log: every leg of a finer grid would fill the memory
+
+
+def launch(ball: Any, cloth: Any) -> None:
+    """How friction moves the ball from now on, and until when, whatever it may meet."""
+    ball.phase, ball.acceleration, lasts = motion(ball.velocity, ball.roll, cloth)
+    if ball.phase == RESTING:
+        ball.velocity = ball.roll = 0j
+    ball.leg_end = ball.next = ball.since + lasts
+
+
+def catch_up(world: "World") -> None:
+    """Bring every ball along its leg to now: a grid that begins anew begins with all of them."""
+    for ball in world.scene.balls:
+        if ball.phase >= RESTING:
+            carry(ball, world.now, world.scene.cloth)
+
+
+def mark(world: "World", i: int) -> None:
+    """Enter in the log the leg that ball i is on."""
+    world.log.begin(i, world.epoch, world.scene.balls[i], world.scene.cloth.fade)
+
+
+def kept(k: int, dt: float) -> bool:
+    """Do the legs that begin at the k-th grid time go into the log?"""
+    return k % max(1, int(KEEP / dt)) == 0
+
+
+def note(world: "World", time: float, kind: int, i: int, other: int) -> None:
+    """Enter in the log what has happened, after the new legs."""
+    world.log.note(world.epoch, time, kind, i, other)
+
+
+def end_phase(world: "World", time: float, i: int) -> None:
+    """Ball i, at `time` already, stops sliding or rolling."""
+    ball = world.scene.balls[i]
+    settle(ball)
+    launch(ball, world.scene.cloth)
+    mark(world, i)
+    note(world, time, PHASE, i, -1)
+
+
+def contacts(world: "World", time: float) -> None:
+    """All contacts that are there at `time`, in the order of balls and walls; the world's laws."""
+    balls, walls = world.scene.balls, world.scene.walls
+    spots = [place(ball, time - ball.since) for ball in balls]
+    for i, ball in enumerate(balls):
+        p = spots[i]
+        for j in range(i + 1, len(balls)):
+            line, reach = spots[j] - p, ball.radius + balls[j].radius
+            if line.real * line.real + line.imag * line.imag > reach * reach:
+                continue
+            if (line.conjugate() * (speed(ball, time) - speed(balls[j], time))).real > 0.0:
+                meet(world, time, i, j)
+        if ball.phase == RESTING:
+            continue
+        for k, wall in enumerate(walls):
+            # beyond the wall counts as overlap: only a wall's back would let a ball escape
+            if (wall.inward * p).real - wall.offset <= ball.radius and (
+                wall.inward * speed(ball, time)
+            ).real < 0.0:
+                bounce(world, time, i, k)
+
+
+def speed(ball: Any, time: float) -> complex:
+    """The ball's velocity at `time`, on the leg it is on."""
+    velocity: complex = ball.velocity + (time - ball.since) * ball.acceleration
+    return velocity
+
+
+def bring(world: "World", time: float, i: int) -> Any:
+    """Ball i at `time`, on a leg that the log knows."""
+    ball = world.scene.balls[i]
+    if ball.since == time:  # an integrator has put it here
+        mark(world, i)
+    carry(ball, time, world.scene.cloth)
+    return ball
+
+
+def meet(world: "World", time: float, i: int, j: int) -> None:
+    """Balls i and j collide."""
+    a, b = bring(world, time, i), bring(world, time, j)
+    hit_ball(a, b, world.scene.ball_rule)
+    for ball, index in ((a, i), (b, j)):
+        launch(ball, world.scene.cloth)
+        mark(world, index)
+    note(world, time, PAIR, i, j)
+
+
+def bounce(world: "World", time: float, i: int, k: int) -> None:
+    """Ball i hits wall k."""
+    scene = world.scene
+    ball = bring(world, time, i)
+    hit_wall(ball, scene.walls[k], scene.cushion_rule, scene.cushion_table)
+    launch(ball, scene.cloth)
+    mark(world, i)
+    note(world, time, CUSHION, i, k)
