@@ -11,7 +11,7 @@ are complex numbers in m/s; roll is -i R ω, side is R ω_z; impulses in N s.
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import sqrt
-from typing import Any
+from typing import Any, ClassVar
 
 from .checks import finite, nonnegative, positive
 from .kernel import laws as kernel
@@ -37,9 +37,10 @@ def _bent(law: object, kind: int, e: float, mu: float, nose: float) -> Rule:
 
 
 class _CushionLaw:
-    """A cushion law can be tried by hand."""
+    """A cushion law can be tried by hand; `creates_energy`: it may, by its nature."""
 
     __slots__ = ()
+    creates_energy: ClassVar[bool] = False
 
     def rule(self) -> Rule:
         raise NotImplementedError
@@ -55,9 +56,10 @@ class _CushionLaw:
 
 
 class _BallLaw:
-    """A ball law can be tried by hand."""
+    """A ball law can be tried by hand; `loses_momentum`: it may, by its nature."""
 
     __slots__ = ()
+    loses_momentum: ClassVar[bool] = False
 
     def rule(self) -> Rule:
         raise NotImplementedError
@@ -96,6 +98,8 @@ class ThesisCushion(_CushionLaw):
 
     It creates energy for balls that do not roll (docs/physics.md).
     """
+
+    creates_energy: ClassVar[bool] = True
 
     e: float = 0.9
     mu: float = 0.1
@@ -163,6 +167,8 @@ class ThesisBall:
 
     It loses momentum, which no other law here can.
     """
+
+    loses_momentum: ClassVar[bool] = True
 
     e: float = 0.95
 
