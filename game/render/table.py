@@ -60,18 +60,18 @@ def _toned(surface: pygame.Surface, box: pygame.Rect, light: Floats, colour: Col
 
 def _floor_shadow(surface: pygame.Surface, layout: Layout) -> None:
     """Darken the floor around the table, but not where cards may be wiped with its plain colour."""
-    reach = SHADOW * layout.s
+    reach, radius = SHADOW * layout.s, rails.CORNER * layout.scale
     box = layout.table.inflate(2 * int(reach), 2 * int(reach))
     gaps = [
-        (np.abs(np.arange(n) + 0.5 - n / 2) - side / 2 + reach / 4).clip(0, None)
+        (np.abs(np.arange(n) + 0.5 - n / 2) - side / 2 + radius).clip(0, None)
         for n, side in zip(box.size, layout.table.size, strict=True)
     ]
-    for part in _sides(2 * int(reach) + 2):
+    for part in _sides(int(reach + radius) + 2):
         across, down = gaps[0][part[0]], gaps[1][part[1]]
-        away = (np.hypot(across[:, None], down[None]) / (1.25 * reach)).clip(0, 1)
+        away = ((np.hypot(across[:, None], down[None]) - radius) / reach).clip(0, 1)
         left, top = (p.indices(n)[0] for p, n in zip(part, box.size, strict=True))
         band = pygame.Rect(box.x + left, box.y + top, len(across), len(down))
-        _toned(surface, band, 1 - 0.9 * (1 - away) * np.sqrt(1 - away), BACKGROUND)
+        _toned(surface, band, 1 - 0.75 * (1 - away) ** 2, BACKGROUND)
 
 
 def _sides(depth: int) -> list[tuple[slice, slice]]:
@@ -166,9 +166,9 @@ def _spots(surface: pygame.Surface, layout: Layout, colour: Colour) -> None:
 def _wall(surface: pygame.Surface, layout: Layout, wall: Points, colour: Colour) -> None:
     """Draw a wall inside the bed: its shadow, its cloth and its lit nose."""
     points = [layout.to_screen(*p) for p in wall]
-    width = 0.030 * layout.scale
+    width = 0.016 * layout.scale
     below = [(x, y + 0.010 * layout.scale) for x, y in points]
     lines.polyline(surface, below, (0, 0, 0), width, 0.40, soft=0.012 * layout.scale)
-    lines.polyline(surface, points, mix(colour, (0, 0, 0), 0.45), width)
-    lines.polyline(surface, points, mix(colour, (255, 255, 255), 0.06), width * 0.72)
-    lines.polyline(surface, points, mix(colour, (255, 255, 255), 0.22), width * 0.22, 0.8, soft=1.5)
+    for share, light in ((1.0, 0.55), (0.72, 1.12), (0.25, 1.30)):
+        tone = mix((0, 0, 0), colour, light)
+        lines.polyline(surface, points, tone, width * share, soft=max(0.5, width * 0.04))
