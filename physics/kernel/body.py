@@ -32,6 +32,7 @@ class Body:
     meets: float = inf
     partner: int = -1
     next: float = inf
+    trapped: int = 0  # how many cushions it has hit in one instant
 
 
 _values = attrgetter(*Body.__slots__)

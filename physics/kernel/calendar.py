@@ -1,13 +1,15 @@
 """From event to event."""
 
-from .cluster import collide, crowded, gather
+from .cluster import TOUCHING, collide, crowded, gather
 from .contact import first_fall, meeting
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .laws import hit_ball, hit_wall
-from .motion import RESTING, carry, motion, settle, swept
+from .motion import RESTING, carry, length, motion, settle, swept
 from .subset import complex, inf, kernel
 
 PHASE_ENDS = -1
+INSTANT = 1e-12  # s: a leg that short goes nowhere
+PATIENCE = 64  # how many of them between cushions make a trap
 PHASE, CUSHION, PAIR, CLUSTER, NOTHING = 0, 1, 2, 3, 4  # what an event is
 
 
@@ -153,6 +155,7 @@ def happen(i, scene):
         return NOTHING, NOBODY
     ball = balls[i]
     time = ball.next
+    lasted = time - ball.since
     carry(ball, time, cloth)
     if ball.meets <= ball.leg_end:
         return meet(i, ball.partner, time, scene)
@@ -162,9 +165,35 @@ def happen(i, scene):
     else:
         kind = CUSHION
         hit_wall(ball, scene.walls[goal], scene.cushion_rule, scene.cushion_table)
+        ball.trapped = ball.trapped + 1 if lasted < INSTANT else 0
+        if ball.trapped > PATIENCE:
+            release(ball, scene.walls, scene.cushion_rule.parting)
     start_leg(i, scene)
     plan_meetings(i, scene)
     return kind, goal
+
+
+@kernel
+def release(ball, walls, parting):
+    """A ball that rattles between walls too near each other for rounding rolls out, along their bisector.
+
+    Between two walls that face each other there is no way out: it rolls on along them.
+    """
+    out, inward = 0j, 1.0 + 0j
+    for k in range(len(walls)):
+        wall = walls[k]
+        if (wall.inward * ball.position).real - wall.offset - ball.radius < TOUCHING:
+            out, inward = out + wall.normal, wall.inward
+    size = length(out)
+    if size > TOUCHING:
+        out = 1.0 / size * out
+        speed = max(0.0, (out.conjugate() * ball.velocity).real) + parting
+    else:
+        out = 1j * inward.conjugate()
+        speed = (out.conjugate() * ball.velocity).real
+    ball.velocity = ball.roll = speed * out
+    ball.side = 0.0
+    ball.trapped = 0
 
 
 @kernel

@@ -143,9 +143,16 @@ def together(chosen, balls, rule, ties):
     for _ in range(SWEEPS):
         change = 0.0
         for k in range(chosen):
-            change = max(change, relax(ties.chosen[k], balls, rule, ties))
+            change = max(change, relax_push(ties.chosen[k], balls, ties))
         if change <= AGREES * fastest:
             break
+    if rule.kind != SMOOTH_BALL:
+        for _ in range(SWEEPS):
+            change = 0.0
+            for k in range(chosen):
+                change = max(change, relax_rub(ties.chosen[k], balls, ties))
+            if change <= AGREES * fastest:
+                break
     for k in range(chosen):
         ties.total[ties.chosen[k]] += ties.push[ties.chosen[k]]
 
@@ -159,8 +166,8 @@ def slip_between(a, b, line):
 
 
 @kernel
-def relax(c, balls, rule, ties):
-    """Bring one contact where it should be, given what the others did; returns by how much, m/s."""
+def relax_push(c, balls, ties):
+    """Make one contact part as it should, given what the others did; returns by how much, m/s."""
     a, b = balls[ties.first[c]], balls[ties.second[c]]
     line = toward(a, b)
     mass = a.mass * b.mass / (a.mass + b.mass)
@@ -169,12 +176,21 @@ def relax(c, balls, rule, ties):
     more = push - ties.push[c]
     press(a, b, line, more, 0j)
     ties.push[c] = push
-    if rule.kind == SMOOTH_BALL:
-        return abs(more) / mass
-    yielding = 3.5 / mass
+    return abs(more) / mass
+
+
+@kernel
+def relax_rub(c, balls, ties):
+    """Take as much slip from one contact as its push allows; returns by how much, m/s.
+
+    The pushes stand by now, so each rub only takes energy: pushes that answer to rubs would make it.
+    """
+    a, b = balls[ties.first[c]], balls[ties.second[c]]
+    line = toward(a, b)
+    yielding = 3.5 * (a.mass + b.mass) / (a.mass * b.mass)
     wish = slip_between(a, b, line) - yielding * ties.rub[c]
-    rub = friction(wish, ties.grip[c] * push, yielding)
+    rub = friction(wish, ties.grip[c] * ties.push[c], yielding)
     change = rub - ties.rub[c]
     press(a, b, line, 0.0, change)
     ties.rub[c] = rub
-    return max(abs(more), length(change)) / mass
+    return length(change) * yielding

@@ -10,6 +10,7 @@ from .motion import length
 from .subset import complex, exp, foreign_ball, foreign_cushion, kernel
 
 RIGID_CUSHION, THESIS_CUSHION, CAPPED_CUSHION, MATHAVAN_CUSHION, FOREIGN_CUSHION = 0, 1, 2, 3, 4
+NOISE = 1e-11  # m/s: what closes more slowly does so by rounding
 SMOOTH_BALL, ROUGH_BALL, ALCIATORE_BALL, FOREIGN_BALL, THESIS_BALL = 0, 1, 2, 3, 4
 
 
@@ -17,13 +18,11 @@ SMOOTH_BALL, ROUGH_BALL, ALCIATORE_BALL, FOREIGN_BALL, THESIS_BALL = 0, 1, 2, 3,
 def rebound(closing, rule):
     """The change of the normal velocity: whatever touches parts, or contacts would never end.
 
-    But not faster than twice as fast as it closes: what closes by rounding alone, at 1e-16 m/s in a
-    chain that touches, must not be thrown apart.
+    But what closes by rounding alone, in a chain that touches, must not be thrown apart.
     """
     parting = rule.restitution * closing
     if parting < rule.parting:
-        doubled = 2.0 * closing
-        parting = doubled if 0.0 < doubled < rule.parting else rule.parting
+        parting = 2.0 * closing if 0.0 < closing < NOISE else rule.parting
     return closing + parting
 
 
