@@ -183,7 +183,7 @@ def relax_push(c, balls, ties):
 def relax_rub(c, balls, ties):
     """Take as much slip from one contact as its push allows; returns by how much, m/s.
 
-    The pushes stand by now, so each rub only takes energy: pushes that answer to rubs would make it.
+    The pushes stand by now, so rubs only take energy: pushes that answer to rubs would make it.
     """
     a, b = balls[ties.first[c]], balls[ties.second[c]]
     line = toward(a, b)
