@@ -72,6 +72,8 @@ def _columns(
     return name, np.arange(len(name)) + (first - np.cumsum(count) + count)[name]
 
 
+BOARDS = 4
+"""Sizes kept at once: a window, a fan, and those of a window just resized."""
 _peaks: dict[int, Floats] = {}
 
 
@@ -81,7 +83,8 @@ def peak(spot: Indices, alpha: Floats, size: int) -> Floats:
     Segments that share a pixel at a joint then do not paint it twice.
     """
     if size not in _peaks:
-        _peaks.clear()
+        if len(_peaks) >= BOARDS:
+            _peaks.clear()
         _peaks[size] = np.zeros(size, np.float32)
     board = _peaks[size]
     np.maximum.at(board, spot, alpha)
