@@ -20,7 +20,8 @@ from physics import (
     simulate,
     tables,
 )
-from physics.sensitivity import ANGLE, SPEED
+from physics.dual import value
+from physics.sensitivity import ANGLE, SPEED, _Replay
 
 STEP = "1e-16"  # in 50 digits: truncation and rounding both stay below 1e-20 of the result
 
@@ -151,6 +152,14 @@ def test_a_carom_shot_has_ten_digits_of_every_derivative(ball_law, shot):
     worst, hits = disagreement(carom(ball_law), "white", shot)
     assert 1 <= hits <= 4
     assert worst < 1e-10  # each hit costs the digit or two that it magnifies rounding by
+
+
+def test_the_shot_is_gone_through_again_bit_for_bit():
+    after = simulate(carom(), "white", Shot(5.0, 33.0, 0.5, 1.0, 1.5))
+    again = _Replay(after, "white", Shot(5.0, 33.0, 0.5, 1.0, 1.5))
+    assert len(list(again.events())) == len(after.log) > 20
+    for ball, twin in zip(after.balls, again.balls, strict=True):
+        assert value(twin.position) == complex(*ball.position)
 
 
 def straight_in():
