@@ -17,7 +17,7 @@ from physics import Shot, scenes, sensitivity, simulate, tables, trace
 from physics.sensitivity import AIM, NUMBERS
 
 SHOT = Shot(3.0, 39.5, follow=1.0, side=0.5)
-ERRORS = (0.002, 0.006, 0.006, 0.001, 0.006)  # m/s, degrees, m/s ...: nearly small enough for the linear law
+ERRORS = (0.002, 0.006, 0.006, 0.001, 0.006)  # the linear law nearly holds for these
 LOOKS = {"white": "#8a8a8a", "yellow": "#d9a400", "red": "#c0392b", "red 2": "#e67e22"}
 SHOTS = 150
 
