@@ -270,3 +270,10 @@ def test_errors_that_cannot_be_are_refused(errors):
     seen = sensitivity(straight_in(), "cue", Shot(2.0))
     with pytest.raises(ValueError, match="errors must"):
         seen.covariance(errors)
+
+
+def test_springs_between_touching_balls_are_refused():
+    world = scenes.cradle(3)
+    world.cluster_law = laws.HertzCluster()
+    with pytest.raises(ValueError, match="no derivatives of HertzCluster"):
+        sensitivity(world, "0", Shot(1.0, follow=1.0))
