@@ -33,7 +33,7 @@ def main(arguments: list[str] | None = None) -> int:
 
 @contextmanager
 def _sigterm_closes_the_window() -> Iterator[None]:
-    """Take SIGTERM as a QUIT, also before SDL has set its own handler; put the old one back after."""
+    """Take SIGTERM as a QUIT, also before SDL listens; put the old handler back after."""
 
     def leave(number: int, frame: FrameType | None) -> None:
         pygame = sys.modules.get("pygame")
@@ -49,7 +49,7 @@ def _sigterm_closes_the_window() -> Iterator[None]:
 
 
 def _pygame() -> ModuleType:
-    """Import pygame, which would load setuptools (0.1 s) only to find its own icon; it can without."""
+    """Import pygame, which would load setuptools (0.1 s) to find its own icon; it can without."""
     absent = "pkg_resources" not in sys.modules
     if absent:
         sys.modules["pkg_resources"] = None  # type: ignore[assignment]
@@ -105,7 +105,7 @@ def new_game(options: Options) -> Game:
     from . import setup
     from .play import Game
 
-    world = setup.SCENES[options.scene]() if options.scene else setup.table_world(options.table)
+    world = setup.scene_world(options.scene) if options.scene else setup.table_world(options.table)
     game = Game(world, options.substeps, options.seed, options.scene or options.table)
     game.language = options.lang
     if options.law:

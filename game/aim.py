@@ -17,7 +17,7 @@ LONGEST = 16
 MINUS = "\u2212"
 ALLOWED = frozenset("0123456789.+-e")
 START = ("3.5", "1", "0", "2", "34.5")
-"""What the boxes hold at the beginning: on the medium table it makes both reds, over five cushions."""
+"""What the boxes hold at first: on the medium table it makes both reds, over five cushions."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,9 +66,9 @@ def fault(box: int, text: str) -> Fault | None:
 class Aim:
     """What the next shot will be.
 
-    `box` is the one being edited, or None in play; `fresh` says that the next character replaces its
-    text; `complete` that RETURN may shoot, once; `wrong` that an entry was refused and no good shot
-    has followed yet.
+    `box` is the one being edited, or None in play; `fresh` says that the next character replaces
+    its text; `complete` that RETURN may shoot, once; `wrong` that an entry was refused and no good
+    shot has followed yet.
     """
 
     texts: list[str] = field(default_factory=lambda: list(START))

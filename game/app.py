@@ -149,7 +149,7 @@ class App:
             self._shown_version = -1
 
     def _sync_typing(self) -> None:
-        """Take text only while a box is edited, so that an input method cannot swallow shortcuts."""
+        """Take text only while a box is edited: an input method must not swallow shortcuts."""
         typing = self.game.aim.box is not None
         if typing != self._typing:
             self._typing = typing

@@ -1,8 +1,9 @@
-"""Game time in ticks of 2^-16 s: binary fractions add up exactly, so the frame rate leaves no trace."""
+"""Game time in ticks of 2^-16 s: they add up exactly, so the frame rate leaves no trace."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 import pygame
 
@@ -23,7 +24,7 @@ def seconds(ticks: int) -> float:
 def shares(ticks: int, parts: int) -> Iterator[int]:
     """Split `ticks` into at most `parts` whole numbers above zero that differ by one at most."""
     edges = [ticks * i // parts for i in range(parts + 1)]
-    return (b - a for a, b in zip(edges, edges[1:], strict=False) if b > a)
+    return (b - a for a, b in pairwise(edges) if b > a)
 
 
 class RealClock:

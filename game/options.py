@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from . import setup
@@ -35,7 +36,7 @@ class Options:
 
     @property
     def virtual(self) -> bool:
-        """With a fixed number of frames time is counted in frames: fast, and the same every time."""
+        """With a fixed number of frames time is counted in frames: fast, the same every time."""
         return self.frames is not None
 
 
@@ -69,15 +70,16 @@ def _parser() -> argparse.ArgumentParser:
     )
     add("--script", metavar="FILE", help="keys and text to play, see below")
     add("--screenshot", metavar="FILE", help="save the last picture (.png)")
-    add("--stats", action="store_true", help="print frames drawn and skipped, physics calls, events")
+    add("--stats", action="store_true", help="print counts of frames, physics calls, events")
     add("--version", action="store_true", help="print which pygame is in use")
     return parser
 
 
-def _count(least: int, most: int) -> object:
+def _count(least: int, most: int) -> Callable[[str], int]:
     def number(text: str) -> int:
         if not re.fullmatch(r"[+-]?\d{1,12}", text) or not least <= int(text) <= most:
-            raise argparse.ArgumentTypeError(f"must be a whole number from {least} to {most}: {text!r}")
+            wanted = f"must be a whole number from {least} to {most}"
+            raise argparse.ArgumentTypeError(f"{wanted}: {text!r}")
         return int(text)
 
     return number

@@ -7,12 +7,13 @@ from cmath import phase
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import degrees, hypot
+from typing import ClassVar
 
 from physics import EventBudgetError, State, World
 
 from . import setup
 from .actions import Action
-from .aim import BOXES, Aim, plain
+from .aim import Aim, plain
 from .clock import TICKS, seconds, shares
 from .preview import Preview, preview
 
@@ -37,7 +38,9 @@ class Notice:
 class Game:
     """World, aim and everything else that actions change.  It never looks at a clock."""
 
-    def __init__(self, world: World, substeps: int = 6, seed: int = 0, table: str = "medium") -> None:
+    def __init__(
+        self, world: World, substeps: int = 6, seed: int = 0, table: str = "medium"
+    ) -> None:
         self.world, self.substeps, self.table = world, substeps, table
         self.cue = setup.cue_ball(world)
         self.aim = Aim()
@@ -65,7 +68,7 @@ class Game:
 
     def perform(self, action: Action) -> None:
         """Do what the player wants; anything unknown raises KeyError."""
-        handler: Callable[..., None] = self._handlers[action.name]
+        handler = self._handlers[action.name]
         if action.name not in ("language", "help"):
             self.notice = None
         if action.value is None:
@@ -254,7 +257,7 @@ class Game:
 
     @property
     def traced(self) -> tuple[str, ...]:
-        """The balls whose traces are shown: all, unless there are so many that nobody could tell."""
+        """The balls whose traces are shown: all, unless there are too many to tell apart."""
         names = tuple(ball.name for ball in self.world.balls)
         return names if len(names) <= MOST_TRACED else (self.cue,)
 
@@ -276,7 +279,7 @@ class Game:
         self._read()
 
     def _read(self) -> None:
-        """Take the read-outs, |v|, |ω|R and |ωz|R of the cue ball in m/s, and the time of the shot."""
+        """Take |v|, |ω|R and |ωz|R of the cue ball, m/s, and how long the shot has lasted, s."""
         ball = self.world.ball(self.cue)
         wx, wy, wz = ball.spin
         self.readout = hypot(*ball.velocity), hypot(wx, wy, wz) * ball.radius, abs(wz) * ball.radius
@@ -299,10 +302,10 @@ class Game:
         self.shown_shot = True
         self.began = self.world.time
 
-    _handlers = {
+    _handlers: ClassVar[dict[str, Callable[..., None]]] = {
         "edit": _edit, "clear": _clear, "type": _type, "erase": _erase, "enter": _enter,
         "leave": _leave, "shoot": _shoot, "fire": _fire, "place": _place, "stop": _stop,
-        "retry": _retry, "pause": _pause, "frame": _frame, "skip": _skip, "engine": _engine, "law": _law,
-        "language": _language, "help": _help, "quit": _quit, "set": _set,
+        "retry": _retry, "pause": _pause, "frame": _frame, "skip": _skip, "engine": _engine,
+        "law": _law, "language": _language, "help": _help, "quit": _quit, "set": _set,
     }  # fmt: skip
 

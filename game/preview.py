@@ -1,4 +1,4 @@
-"""What a shot does, told from its log: paths, marks and first contact.  The preview is the engine."""
+"""What a shot does, told from its log: paths and first contact.  The preview is the engine."""
 
 from __future__ import annotations
 
@@ -59,8 +59,8 @@ class Contact:
 class Preview:
     """A shot that has not been played.
 
-    way: the cue ball's path to its first contact, beyond: from there to the `decision` (seconds): the
-    second ball it meets, its last cushion that is worth drawing, or its rest; path: the object ball's.
+    way: the cue ball's path to its first contact; beyond: from there to the decision, which is the
+    second ball it meets, its last cushion worth drawing, or its rest; path: the object ball's.
     bounces: where the cue ball meets cushions until the decision, and the wall's outward normal.
     """
 
@@ -70,7 +70,6 @@ class Preview:
     beyond: tuple[Place, ...]
     path: tuple[Place, ...]
     bounces: tuple[tuple[Place, Place], ...]
-    decision: float
 
 
 def preview(world: World, cue: str, shot: Shot) -> Preview | None:
@@ -83,12 +82,16 @@ def preview(world: World, cue: str, shot: Shot) -> Preview | None:
     told = story(after.log, since, after.time)
     radii = {ball.name: ball.radius for ball in world.balls}
     contact = _first_contact(told.events, cue, radii)
+    log = after.log
     met = told.events[contact.index].time if contact else None
     decision = _decision(told, cue, met)
-    way = path(after.log, cue, since, since + (decision if met is None else met))
-    beyond = path(after.log, cue, since + met, since + decision) if met is not None else ()
-    ahead = path(after.log, contact.ball, since + met, since + decision) if contact and met else ()
-    return Preview(told, contact, way, beyond, ahead, _bounces(told, cue, decision, world), decision)
+    bounces = _bounces(told, cue, decision, world)
+    end = since + decision
+    if contact is None or met is None:
+        return Preview(told, None, path(log, cue, since, end), (), (), bounces)
+    hit = since + met
+    parts = path(log, cue, since, hit), path(log, cue, hit, end), path(log, contact.ball, hit, end)
+    return Preview(told, contact, *parts, bounces)
 
 
 def _decision(told: Story, cue: str, met: float | None) -> float:
@@ -140,7 +143,8 @@ def _moved(log: Log, name: str, since: float, until: float) -> list[tuple[Leg, f
     """The legs on which a ball got anywhere, each with the times between which it was on it."""
     legs = log.legs(name)
     ends = [leg.time for leg in legs[1:]] + [until] * bool(legs)
-    spans = ((leg, max(leg.time, since), min(end, until)) for leg, end in zip(legs, ends, strict=True))
+    pairs = zip(legs, ends, strict=True)
+    spans = ((leg, max(leg.time, since), min(end, until)) for leg, end in pairs)
     return [(leg, a, b) for leg, a, b in spans if b > a and _far(leg, a, b)]
 
 

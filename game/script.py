@@ -84,13 +84,19 @@ def _events(words: list[str]) -> list[pygame.event.Event]:
             return [pygame.event.Event(kind, pos=at, button=1, buttons=(0, 0, 0)) for kind in kinds]
         case ["quit"]:
             return [pygame.event.Event(pygame.QUIT)]
-    raise ValueError(f"key NAME, text TEXT, click X Y or quit was expected, not {' '.join(words)!r}")
+    said = " ".join(words)
+    raise ValueError(f"key NAME, text TEXT, click X Y or quit was expected, not {said!r}")
 
 
 def _key(name: str) -> pygame.event.Event:
     *held, last = name.lower().split("+") if len(name) > 1 else [name]
-    code = getattr(pygame, f"K_{last.upper()}", None) or getattr(pygame, f"K_{last}", None)
+    code = ord(last) if len(last) == 1 and last.isascii() else _code(last)
     if code is None or any(h not in MODIFIERS for h in held):
         raise ValueError(f"there is no key {name!r}")
     mod = sum(MODIFIERS[h] for h in held)
     return pygame.event.Event(pygame.KEYDOWN, key=code, mod=mod, unicode="")
+
+
+def _code(name: str) -> int | None:
+    code: int | None = getattr(pygame, f"K_{name.upper()}", None)
+    return code

@@ -1,4 +1,4 @@
-"""Tables to begin with: worlds with their balls on them, and the law sets and engines to choose from."""
+"""Tables to begin with, balls on them, and the law sets and engines to choose from."""
 
 from __future__ import annotations
 
@@ -47,6 +47,7 @@ ENGINES: dict[str, Callable[[], Any]] = {
     "thesis": lambda: physics.TimeStepping(dt=1 / 180),
 }
 SCENES = scenes.SCENES
+SIDES = ("west", "east", "south", "north")
 
 
 def table_world(key: str) -> World:
@@ -58,6 +59,15 @@ def table_world(key: str) -> World:
             continue
         at = (x * table.length, y * table.width)
         world.add(Ball(_name(key, name), at, radius=table.radius, mass=table.mass))
+    return world
+
+
+def scene_world(name: str) -> World:
+    """A scene of the physics package; one without a table gets the thesis's around it."""
+    world = SCENES[name]()
+    if not {wall.name for wall in world.walls}.issuperset(SIDES):
+        for wall in tables.THESIS.world().walls:
+            world.add(wall)
     return world
 
 

@@ -28,7 +28,7 @@ def press(app: App, *names: str, frames: bool = True) -> None:
     for name in names:
         *held, last = name.split("+")
         mods = {"ctrl": pygame.KMOD_CTRL, "shift": pygame.KMOD_SHIFT}
-        key = getattr(pygame, f"K_{last.upper()}", None) or getattr(pygame, f"K_{last}")
+        key = ord(last) if len(last) == 1 else getattr(pygame, f"K_{last.upper()}")
         char = last if len(last) == 1 else ""
         mod = sum(mods[h] for h in held)
         pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=key, mod=mod, unicode=char))
@@ -62,12 +62,12 @@ def click(app: App, at: tuple[float, float], to: tuple[float, float] | None = No
     app.frame(FRAME)
 
 
-def run_to_rest(app: App, most: int = 6000) -> None:
-    """Let frames pass until nothing moves."""
-    for _ in range(most):
+def run_to_rest(app: App) -> None:
+    """Let time pass until nothing moves, in frames too long to be watched."""
+    for _ in range(300):
         if not app.game.moving:
             return
-        app.frame(FRAME)
+        app.frame(10 * FRAME)
     raise AssertionError("the balls never came to rest")
 
 

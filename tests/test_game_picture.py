@@ -4,6 +4,7 @@ import pygame
 import pytest
 from players import FRAME, an_app, click, enter, pixels, press, run_to_rest, write
 
+import assets
 from game.aim import BOXES
 from game.render.cards import LOG_HEAD
 from game.render.fields import hint_room
@@ -114,13 +115,15 @@ def test_all_languages_have_the_same_keys():
 
 
 def test_every_character_of_the_interface_is_in_the_font():
-    from fontTools.ttLib import TTFont
+    font = pygame.font.Font(assets.stream(assets.FONT), 20)
 
-    import assets
+    def glyph(char):
+        return pygame.image.tobytes(font.render(char, True, "white"), "RGBA")
 
-    known = TTFont(assets.stream(assets.FONT)).getBestCmap()
-    missing = {c for w in LANGUAGES.values() for text in w.values() for c in text if ord(c) not in known}
-    assert missing == set()
+    used = {c for w in LANGUAGES.values() for text in w.values() for c in text}
+    unknown = glyph("\U0001f3b1")  # the box that stands for any missing character
+    assert {c for c in used if glyph(c) == unknown} == set()
+    assert glyph("\u4e59") == unknown
 
 
 def layouts():

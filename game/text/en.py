@@ -122,5 +122,5 @@ WORDS = {
     "help.masse": "massé: spin about the way it goes",
     "help.side": "side: + left, − right",
     "help.angle": "0° right, 90° away from you",
-    "help.click": "Mouse: click a box to edit it · drag on the table to aim · drag power and tip point",
+    "help.click": "Mouse: click a box to edit it · drag on the table to aim · drag power and tip",
 }

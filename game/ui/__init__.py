@@ -1,1 +1,1 @@
-"""What the player sees and touches: every view draws from the game's state and changes none of it."""
+"""What the player sees and touches: views draw from the game's state and change none of it."""

@@ -1,4 +1,4 @@
-"""The parts of the column and the strips that tell about a shot: head, tip, power, thickness, log, lanes."""
+"""The parts that tell about a shot: head, tip, power, thickness, result, log and lanes."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def _head_numbers(sight: Sight) -> tuple[tuple[str, str], ...]:
 
 
 def _head_look(sight: Sight) -> Hashable:
-    return sight.game.language, _state(sight.game), _head_numbers(sight)
+    return _state(sight.game), _head_numbers(sight)
 
 
 def _head_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -86,14 +86,15 @@ def _tip_look(sight: Sight) -> tuple[float, float, float] | None:
 
 
 def _tip_key(sight: Sight) -> Hashable:
-    return sight.game.language, _tip_look(sight)
+    return _tip_look(sight)
 
 
 def _tip_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     w, found = sight.words, _tip_look(sight)
     right, up, masse = found or (0.0, 0.0, 0.0)
     names = (w["tip.side"], w["tip.height"], w["tip.masse"])
-    values = [(n, _signed(v) if found else "–") for n, v in zip(names, (right, up, masse), strict=True)]
+    parts = zip(names, (right, up, masse), strict=True)
+    values = [(name, _signed(v) if found else "–") for name, v in parts]
     safe = hypot(right, up) <= gauges.MISCUE
     size = max(1.0, hypot(right, up) / 0.97)
     point = (right / size, up / size)
@@ -117,7 +118,7 @@ def _tip_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 
 def _power_key(sight: Sight) -> Hashable:
     shot = sight.game.aim.shot
-    return sight.game.language, shot.speed if shot else None
+    return shot.speed if shot else None
 
 
 def _power_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -141,7 +142,7 @@ def _contact(sight: Sight) -> Contact | None:
 
 
 def _thickness_key(sight: Sight) -> Hashable:
-    return sight.game.language, _contact(sight)
+    return _contact(sight)
 
 
 def _thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -190,7 +191,7 @@ def _result_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
 
 def _log_key(sight: Sight) -> Hashable:
     game = sight.game
-    return game.language, game.shots, game.began, len(game.world.log)
+    return game.shots, game.began, len(game.world.log)
 
 
 def log_rows(game: Game, w: dict[str, str]) -> list[cards.LogRow]:
@@ -231,9 +232,9 @@ def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygam
 def _lanes_look(sight: Sight) -> Hashable:
     game = sight.game
     if sight.mode == "aim":
-        return game.language, "aim", game.preview_number
+        return "aim", game.preview_number
     shot = (game.shots, game.began, len(game.world.log))
-    return game.language, shot, game.readout_time, game.moving and not game.paused
+    return shot, game.readout_time, game.moving and not game.paused
 
 
 def _lanes_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:

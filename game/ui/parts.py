@@ -1,4 +1,4 @@
-"""Parts of the window around the table: each has a rectangle, a key that says how it looks, a picture."""
+"""Parts of the window around the table: a rectangle, a key that says how it looks, a picture."""
 
 from __future__ import annotations
 
@@ -49,9 +49,9 @@ def _no_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 class Part:
     """A piece of the window.
 
-    key: what its picture depends on; draw: paints it and returns what it touched; touch: what a press
-    of the mouse there means; `drags` parts are touched again while the mouse moves; `mode`: shown in
-    this column only.
+    key: what its picture depends on; draw: paints it and returns what it touched; touch: what a
+    press of the mouse there means; `drags` parts are touched again while the mouse moves; `mode`:
+    shown in this column only.
     """
 
     name: str
@@ -202,7 +202,7 @@ def _engine_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 
 
 def _readouts_key(sight: Sight) -> Hashable:
-    return sight.game.language, *(number(v) for v in sight.game.readout)
+    return tuple(number(v) for v in sight.game.readout)
 
 
 def _readouts_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:

@@ -1,4 +1,4 @@
-"""The table in layers: background, lines under the balls, balls, cue.  Only what changed is redrawn."""
+"""The table in layers: background, lines, balls, cue.  Only what changed is redrawn."""
 
 from __future__ import annotations
 
@@ -78,7 +78,9 @@ class Stage:
         """Redraw what lies under the balls if it is not what it was."""
         key = marks.key(game)
         if key == self._under:
-            return self.trail.draw(self.lines, self.layout, self.looks)
+            grown = self.trail.draw(self.lines, self.layout, self.looks)
+            self._marked += grown
+            return grown
         self._under = key
         old, self._marked = self._marked, []
         for rect in old:
@@ -120,9 +122,8 @@ class Stage:
         if stroke is None:
             return NOTHING
         (x, y), angle, pull = stroke
-        ends = []
-        for d in (self.radius, self.radius + pull + cue.LENGTH + 0.05):
-            ends.append(self.layout.to_screen(x - d * cos(angle), y - d * sin(angle)))
+        reach = (self.radius, self.radius + pull + cue.LENGTH + 0.05)
+        ends = [self.layout.to_screen(x - d * cos(angle), y - d * sin(angle)) for d in reach]
         left, right = sorted((ends[0][0], ends[1][0]))
         top, bottom = sorted((ends[0][1], ends[1][1]))
         pad = ceil(0.08 * self.layout.scale)

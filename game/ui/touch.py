@@ -1,4 +1,4 @@
-"""The mouse: what it is over, and whether it is pressed.  Only the picture depends on it, never the game."""
+"""The mouse: what it is over and what it holds.  Only the picture depends on it."""
 
 from __future__ import annotations
 

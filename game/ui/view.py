@@ -1,4 +1,4 @@
-"""The whole window: the table and the parts around it; draws what changed and tells what changed."""
+"""The whole window: the table and the parts around it; draws and tells what changed."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ class View:
     def _draw_parts(self, surface: pygame.Surface) -> list[pygame.Rect]:
         dirty = self._switch(surface)
         for part in self._shown():
-            key = part.key(self.sight)
+            key = self.game.language, part.key(self.sight)
             if part.name not in self._drawn or self._drawn[part.name] != key:
                 self._drawn[part.name] = key
                 rect = part.draw(surface, part.rect, self.sight)
