@@ -6,7 +6,9 @@ from math import sqrt
 from . import laws, tables
 from .ball import Ball
 from .cloth import Cloth
+from .engine import EventDriven
 from .shot import Shot, direction
+from .wall import Wall
 from .world import World
 
 R = tables.THESIS.radius
@@ -81,7 +83,7 @@ def rack15(gap: float = 1e-5, speed: float = 8.0) -> World:
 
 
 def cradle(balls: int = 5, angle: float = 0.0) -> World:
-    """Newton's cradle: on ice, a ball runs at 1 m/s, at `angle` degrees, into a row that touches."""
+    """Newton's cradle: on ice, a ball runs at 1 m/s, at `angle` degrees, into a row touching."""
     world = World(Cloth(0.0, 0.0, 0.0), laws.SmoothBall(1.0))
     line = direction(angle)
     for k in range(balls):
@@ -91,7 +93,22 @@ def cradle(balls: int = 5, angle: float = 0.0) -> World:
     return world
 
 
+def pi_collisions(digits: int = 3) -> World:
+    """A heavy ball drives a light one into a wall: their collisions count out the digits of π.
+
+    Nothing is lost and nothing rubs; the masses are as 100^(digits - 1) to 1 (Galperin 2003).
+    """
+    world = World(Cloth(0.0, 0.0, 0.0), laws.SmoothBall(1.0), laws.RigidCushion(1.0, 0.0, 1.0))
+    world.engine = EventDriven(vmin=0.0, budget=4 * 10**digits)
+    world.add(Wall.line(1.0, 0.0, 0.0, "wall"))
+    world.add(Ball("light", at=(0.5, 0.0), mass=1.0))
+    world.add(Ball("heavy", at=(1.0, 0.0), mass=100.0 ** (digits - 1), velocity=(-1.0, 0.0)))
+    return world
+
+
 SCENES: dict[str, Callable[[], World]] = {
     scene.__name__: scene
-    for scene in (thesis_1, thesis_2, thesis_3a, thesis_3b, single, carom, rack15, cradle)
+    for scene in (
+        thesis_1, thesis_2, thesis_3a, thesis_3b, single, carom, rack15, cradle, pi_collisions,
+    )
 }
