@@ -128,8 +128,7 @@ def forces(
 def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
     """Ball i overlaps wall n, coming or going."""
     ball, normal = world.scene.balls[i], world.scene.walls[n].normal
-    mark(world, i)
-    w, wz = spin(ball)
+    w, wz = come(world, i)
     v, r, m = ball.velocity, ball.radius, ball.mass
     toward = (v * normal.conjugate()).real
     w += (1 + WALL_RESTITUTION) / r * -toward * (1j * normal)
@@ -152,12 +151,10 @@ def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
 def meet(world: "World", time: float, dt: float, i: int, j: int) -> None:
     """Balls i and j overlap, coming or going: what each had along the line, the other gets."""
     a, b = world.scene.balls[i], world.scene.balls[j]
-    mark(world, i)
-    mark(world, j)
+    (wa, za), (wb, zb) = come(world, i), come(world, j)
     line = b.position - a.position
     line = line / (length(line) or 2.0**-52)
     across, e = 1j * line, BALL_RESTITUTION
-    (wa, za), (wb, zb) = spin(a), spin(b)
     va = (a.velocity * line.conjugate()).real * line
     vb = (b.velocity * line.conjugate()).real * line
     ta = (wa * across.conjugate()).real * across
@@ -168,6 +165,15 @@ def meet(world: "World", time: float, dt: float, i: int, j: int) -> None:
     leave(world, time, i, wa + (-1 * ta + e * tb), za)
     leave(world, time, j, wb + (-1 * tb + e * ta), zb)
     note(world, time, PAIR, i, j)
+
+
+def come(world: "World", i: int) -> tuple[complex, float]:
+    """The spin with which ball i comes to a contact; for the log, the state it comes in."""
+    ball = world.scene.balls[i]
+    w, wz = spin(ball)
+    begin(ball, 0j, w, wz)
+    mark(world, i)
+    return w, wz
 
 
 def leave(world: "World", time: float, i: int, w: complex, wz: float) -> None:
