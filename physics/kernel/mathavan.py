@@ -13,6 +13,7 @@ NONE = 1e-8  # of the closing speed: a slip below this is none
 SMALL = 1e-2  # of the closing speed: what a slip below this does in one step matters little
 CLOSE = 1e-4  # of the closing speed: so near the end one straight step errs by the square of this
 LEAP = 0.5  # of the closing speed: the longest step
+PATIENCE = 500  # steps, after which a slip that still flickers between none and some counts as none
 TURN, LOSS, MOST = 0.15, 0.4, 0.98  # a step's share of a slip: radians, loss, loss of a small one
 
 
@@ -25,27 +26,14 @@ def slips(v, roll, side, rule):
 
 @kernel
 def rubbing(nose, cloth, none, rule):
-    """Rub and drag for a push of 1: against the slips, as long as there are any."""
+    """The rub for a push of 1: against the slip, as long as there is any."""
     speed = length(nose)
-    if speed <= none:
-        return holding(cloth, none, rule)
-    rub = -rule.friction / speed * nose
-    most = rule.slide * (rule.height - rule.level * rub.imag)  # push and rub press on the cloth
-    if most <= 0.0:
-        return rub, 0j
-    speed = length(cloth)
-    if speed > none:
-        return rub, -most / speed * cloth
-    drift = complex(
-        rule.level + (rule.height - 2.5) * rub.imag, (1.0 - 2.5 * rule.height) * rub.real
-    )
-    speed = length(drift)
-    return rub, (-most / speed if speed > 3.5 * most else -1.0 / 3.5) * drift
+    return -rule.friction / speed * nose if speed > none else holding(cloth, none, rule)
 
 
 @kernel
 def holding(cloth, none, rule):
-    """The same while the nose does not slip: the rub that keeps it so, or all that there is."""
+    """The rub that keeps a nose without slip so, while the cloth slips; or all the rub there is."""
     height, level = rule.height, rule.level
     speed = length(cloth)
     back = rule.slide / speed * cloth if speed > none else complex(rule.slide, 0.0)
@@ -54,17 +42,30 @@ def holding(cloth, none, rule):
     most = max(0.0, height - level * rise)
     rub = complex((1.0 - 2.5 * height) / 3.5 * most * back.imag, rise)
     size = length(rub)
-    if size > rule.friction:
-        rub *= rule.friction / size
-        most = max(0.0, height - level * rub.imag)
-    return rub, -most * back
+    return rule.friction / size * rub if size > rule.friction else rub
+
+
+@kernel
+def dragging(rub, cloth, none, rule):
+    """The drag, if push and rub press the ball on the cloth: against the slip, or what holds it."""
+    most = rule.slide * (rule.height - rule.level * rub.imag)
+    if most <= 0.0:
+        return 0j
+    speed = length(cloth)
+    if speed > none:
+        return -most / speed * cloth
+    lift, lean = rule.height - 2.5, 1.0 - 2.5 * rule.height
+    drift = complex(rule.level + lift * rub.imag, lean * rub.real)
+    speed = length(drift)
+    return (-most / speed if speed > 3.5 * most else -1.0 / 3.5) * drift
 
 
 @kernel
 def rates(v, roll, side, none, rule):
     """What v, roll, side and the push gain as the normal speed grows by 1."""
     nose, cloth = slips(v, roll, side, rule)
-    rub, drag = rubbing(nose, cloth, none, rule)
+    rub = rubbing(nose, cloth, none, rule)
+    drag = dragging(rub, cloth, none, rule)
     force = complex(rule.level + rule.height * rub.imag, rub.real) + drag
     push = 1.0 / force.real
     turn = 2.5 * push
@@ -89,10 +90,10 @@ def leap(v, roll, side, h, rate, none, rule):
 
 
 @kernel
-def steady(slip, rate, closing, step):
+def steady(slip, rate, none, closing, step):
     """How much of a step leaves the slip about as it is: no more than TURN and LOSS change it."""
     square = slip.real * slip.real + slip.imag * slip.imag
-    if square <= (NONE * closing) * (NONE * closing):
+    if square <= none * none:
         return step
     haste = abs(slip.real * rate.imag - slip.imag * rate.real) / TURN
     loss = -(slip.real * rate.real + slip.imag * rate.imag)
@@ -104,14 +105,14 @@ def steady(slip, rate, closing, step):
 
 
 @kernel
-def stride(v, roll, side, rate, rest, closing, rule):
+def stride(v, roll, side, rate, rest, none, closing, rule):
     """How far to go at once: both slips stay steady, and friction cannot overshoot."""
     nose, cloth = slips(v, roll, side, rule)
     turning, skidding = slips(rate[0], rate[1], rate[2], rule)
-    h = steady(cloth, skidding, closing, min(rest, LEAP * closing))
-    h = steady(nose, turning, closing, h)
+    h = steady(cloth, skidding, none, closing, min(rest, LEAP * closing))
+    h = steady(nose, turning, none, closing, h)
     speed, stop = length(nose), 3.5 * rule.friction * rate[3]
-    if speed > NONE * closing and h * stop > speed:
+    if speed > none and h * stop > speed:
         h = speed / stop
     return 0.5 * rest if 0.6 * rest < h < rest else h
 
@@ -128,7 +129,7 @@ def mathavan_cushion(v, roll, side, rule):
     """In until the normal speed is 0, then out until the share e² of the work has come back."""
     closing = max(-v.real, rule.parting)
     none = NONE * closing
-    work, goal = 0.0, 0.0
+    work, goal, steps = 0.0, 0.0, 0
     while True:
         rate = rates(v, roll, side, none, rule)
         u = v.real
@@ -136,9 +137,12 @@ def mathavan_cushion(v, roll, side, rule):
         # so written that a NaN ends it too
         if not (u < 0.0 or rest > CLOSE * closing):
             return v + rest * rate[0], roll + rest * rate[1], side + rest * rate[2]
-        h = stride(v, roll, side, rate, rest, closing, rule)
+        h = stride(v, roll, side, rate, rest, none, closing, rule)
         v, roll, side, done = leap(v, roll, side, h, rate, none, rule)
         work += done
+        steps += 1
+        if steps % PATIENCE == 0:
+            none *= 10.0
         if u < 0.0 and h == rest:
             v = complex(0.0, v.imag)
             goal = (1.0 - rule.restitution * rule.restitution) * work
