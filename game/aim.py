@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import unicodedata
 from dataclasses import dataclass, field
+from functools import lru_cache
 from math import isfinite
 
 from physics import Shot
@@ -45,6 +46,7 @@ def plain(number: float, places: int = 2) -> str:
     return "0" if text in ("-0", "") else text
 
 
+@lru_cache(maxsize=256)
 def fault(box: int, text: str) -> Fault | None:
     """Return what is wrong with the text of a box, or None."""
     if not text.strip():

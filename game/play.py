@@ -15,7 +15,7 @@ from . import setup
 from .actions import Action
 from .aim import Aim, plain
 from .clock import TICKS, seconds, shares
-from .preview import Preview, preview
+from .preview import NO_STORY, Preview, Story, forecast, preview
 
 FRAME = TICKS // 60
 """What a single frame is while the game is paused."""
@@ -54,11 +54,16 @@ class Game:
         """Is the last shot on show, rather than the next one?"""
         self.version = 0
         """Goes up with every change: equal versions look the same."""
+        self.news = 0
+        """Goes up when anything but the balls' places has changed, or is due to be read again."""
         self._rng = random.Random(seed)
         self._own = (world.ball_law, world.cushion_law)
         self._lay = self._layout()
-        self._preview: tuple[object, Preview | None] = (None, None)
-        self._previews = 0
+        self.stamp = 0
+        """Goes up whenever somebody, and not time, has changed what will happen."""
+        self._previewed: tuple[object, Preview | None] = (None, None)
+        self._forecast: tuple[object, Story] = (None, NO_STORY)
+        self._counts: tuple[object, tuple[int, int]] = (None, (0, 0))
         self.moving = self._moves()
         if self.moving:
             self._take_over_launch()
@@ -76,6 +81,7 @@ class Game:
         else:
             handler(self, action.value)
         self.version += 1
+        self.news += 1
 
     def _edit(self, box: int = 0) -> None:
         self.shown_shot = self.shown_shot and self.moving
@@ -123,6 +129,7 @@ class Game:
         self.world.log.clear()
         self.began = self.world.time
         self.world.strike(self.cue, shot)
+        self.stamp += 1
         self.aim.spent()
         self.shots += 1
         self.moving = self.shown_shot = True
@@ -190,6 +197,7 @@ class Game:
     def choose_engine(self, key: str) -> None:
         """Continue with another engine."""
         self.world.engine = setup.ENGINES[key]()
+        self.stamp += 1
         self.engine = key
 
     def choose_law(self, key: str) -> None:
@@ -199,26 +207,28 @@ class Game:
         if (type(self._own[0]), type(self._own[1])) == (type(ball), type(cushion)):
             ball, cushion = self._own
         self.world.ball_law, self.world.cushion_law = ball, cushion
+        self.stamp += 1
         self.law = key
 
     # -- what time does ------------------------------------------------------------------------
 
     def advance(self, ticks: int) -> None:
         """Let time pass: at most `substeps` calls of `world.step`, none while nothing moves."""
-        self.tick += ticks
         if self.moving and not (self.paused or self.help):
             self._run(ticks)
+        self.tick += ticks
 
     def _run(self, ticks: int) -> None:
         if not self.moving:
             return
-        before = self.tick // READING
+        before, events = self.tick // READING, len(self.world.log)
         for share in shares(ticks, self.substeps):
             if not self.moving:
                 break
             self._step(seconds(share))
         self.version += 1
-        if not self.moving or self.paused or (self.tick - ticks) // READING != before:
+        due = (self.tick + ticks) // READING != before
+        if due or not self.moving or self.paused or len(self.world.log) != events:
             self._read()
 
     def _step(self, dt: float) -> None:
@@ -234,6 +244,7 @@ class Game:
     def _rest(self) -> None:
         """All balls lie still: an entry begun meanwhile comes on show."""
         self.moving = False
+        self.stamp += 1
         if self.aim.box is not None or self.aim.complete:
             self.shown_shot = False
 
@@ -242,18 +253,35 @@ class Game:
     @property
     def preview(self) -> Preview | None:
         """What the shot in the boxes would do, by the engine itself; None while there is none."""
-        shot = None if self.moving else self.aim.shot
-        key = (shot, self._layout(), self.engine, self.law)
-        if key != self._preview[0]:
-            self._preview = key, preview(self.world, self.cue, shot) if shot else None
-            self._previews += 1
-        return self._preview[1]
+        key = (self.stamp, *self.aim.texts)
+        if key != self._previewed[0]:
+            shot = None if self.moving else self.aim.shot
+            seen = preview(self.world, self.cue, shot) if shot else None
+            self._previewed = key, seen
+        return self._previewed[1]
 
     @property
-    def preview_number(self) -> int:
-        """Which preview this is: another number, another preview."""
-        _ = self.preview
-        return self._previews
+    def preview_key(self) -> tuple[object, ...]:
+        """What the preview depends on: equal keys, equal previews."""
+        return (self.stamp, *self.aim.texts)
+
+    @property
+    def forecast(self) -> Story:
+        """The whole shot, what is still to come included, as things are now."""
+        key = self.stamp
+        if key != self._forecast[0]:
+            self._forecast = key, forecast(self.world, self.began)
+        return self._forecast[1]
+
+    @property
+    def counts(self) -> tuple[int, int]:
+        """How many balls the cue ball has met in this shot, and how often it has met a cushion."""
+        key = (self.stamp, len(self.world.log))
+        if key != self._counts[0]:
+            own = [event for event in self.world.log if self.cue in event.balls]
+            met = {name for e in own if e.kind == "ball" for name in e.balls} - {self.cue}
+            self._counts = key, (len(met), sum(e.kind == "cushion" for e in own))
+        return self._counts[1]
 
     @property
     def traced(self) -> tuple[str, ...]:
@@ -274,12 +302,14 @@ class Game:
         for ball, state in zip(self.world.balls, states, strict=True):
             ball.position, ball.velocity, ball.spin = state
         self.world.log.clear()
+        self.stamp += 1
         self.began = self.world.time
         self.moving = self.shown_shot = self._moves()
         self._read()
 
     def _read(self) -> None:
         """Take |v|, |ω|R and |ωz|R of the cue ball, m/s, and how long the shot has lasted, s."""
+        self.news += 1
         ball = self.world.ball(self.cue)
         wx, wy, wz = ball.spin
         self.readout = hypot(*ball.velocity), hypot(wx, wy, wz) * ball.radius, abs(wz) * ball.radius

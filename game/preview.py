@@ -16,6 +16,8 @@ MOST_CUSHIONS = 6
 """Cushions after which a previewed path ends: nobody plans for more."""
 SAME = 0.02
 """Seconds: contacts with one ball that follow each other faster are one contact to the eye."""
+HORIZON = 120.0
+"""Seconds: no shot that a player can make rolls for longer."""
 MOVED = 1e-9
 """Metres: a leg shorter than this is a ball that lies still."""
 
@@ -131,6 +133,19 @@ def story(log: Log, since: float, now: float) -> Story:
         legs = tuple((a - since, b - since, _pace(leg, a, b)) for leg, a, b in moved)
         lanes.append(Lane(name, legs))
     return Story(paths, tuple(lanes), events, max((e.time for e in events), default=0.0))
+
+
+NO_STORY = Story({}, (), (), 0.0)
+
+
+def forecast(world: World, since: float) -> Story:
+    """Tell the shot that began at `since` to its end: what has happened and what will."""
+    ahead = world.copy()
+    try:
+        ahead.run(world.time + HORIZON)
+    except EventBudgetError:
+        return NO_STORY
+    return story(ahead.log, since, ahead.time)
 
 
 def path(log: Log, name: str, since: float, until: float) -> tuple[Place, ...]:

@@ -26,7 +26,7 @@ def aiming(game: Game) -> bool:
 def key(game: Game) -> object:
     """What decides how the marks look: equal keys, equal marks."""
     if aiming(game):
-        return "aim", game.preview_number
+        return "aim", game.preview_key
     if game.shown_shot:
         return "shot", game.shots, game.began, len(game.world.log), game.moving
     return None

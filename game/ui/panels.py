@@ -9,7 +9,7 @@ import pygame
 
 from game.actions import Action
 from game.play import Game
-from game.preview import Contact, Story, story
+from game.preview import NO_STORY, Contact, Story
 from game.render import cards, gauges, lanes
 from game.render.layout import Layout
 from game.render.theme import TEXT, TEXT_SOFT
@@ -27,13 +27,6 @@ EIGHTHS = 8
 # -- the row above the table ---------------------------------------------------------------------
 
 
-def _counts(game: Game) -> tuple[int, int, float]:
-    """Balls the cue ball has met, cushions it has touched, and seconds since the shot."""
-    own = [event for event in game.world.log if game.cue in event.balls]
-    met = {name for e in own if e.kind == "ball" for name in e.balls} - {game.cue}
-    return len(met), sum(e.kind == "cushion" for e in own), game.readout_time
-
-
 def _state(game: Game) -> str:
     if game.paused:
         return "paused"
@@ -48,8 +41,8 @@ def _state(game: Game) -> str:
 
 def _head_numbers(sight: Sight) -> tuple[tuple[str, str], ...]:
     game, w = sight.game, sight.words
-    balls, cushions, time = _counts(game)
-    values = (str(game.shots), str(balls), str(cushions), number(time))
+    balls, cushions = game.counts
+    values = (str(game.shots), str(balls), str(cushions), number(game.readout_time))
     names = ("count.shots", "count.balls", "count.cushions", "count.time")
     return tuple((w[name], value) for name, value in zip(names, values, strict=True))
 
@@ -180,7 +173,8 @@ def eighths(overlap: float) -> str:
 
 def _result_look(sight: Sight) -> tuple[str, str, str]:
     w = sight.words
-    balls, cushions, time = _counts(sight.game)
+    balls, cushions = sight.game.counts
+    time = sight.game.readout_time
     first = w[f"result.balls.{min(balls, 2)}"].format(count=balls)
     return str(balls), first, w["result.line"].format(cushions=cushions, time=number(time))
 
@@ -232,28 +226,23 @@ def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygam
 def _lanes_look(sight: Sight) -> Hashable:
     game = sight.game
     if sight.mode == "aim":
-        return "aim", game.preview_number
-    shot = (game.shots, game.began, len(game.world.log))
-    return shot, game.readout_time, game.moving and not game.paused
+        return "aim", game.preview_key
+    return game.stamp, game.readout_time, game.moving and not game.paused
 
 
 def _lanes_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     game, w = sight.game, sight.words
     if sight.mode == "aim":
-        told = game.preview.story if game.preview else None
-        length = told.duration if told else 0.0
-        label = w["preview"].format(time=number(length, 1)) if told else ""
-        time = None
-    else:
-        told = story(game.world.log, game.began, game.began + game.readout_time)
-        time = game.readout_time
-        length = max(time, told.duration)
-        label = w["time"].format(now=number(time), all=number(length))
-    drawn = _lanes(game, told)
-    playing = game.moving and not game.paused
-    return lanes.timeline(
-        surface, rect, sight.type, drawn, length, label, "", time, playing
-    )
+        told = game.preview.story if game.preview else NO_STORY
+        label = w["preview"].format(time=number(told.duration, 1)) if game.preview else ""
+        return lanes.timeline(
+            surface, rect, sight.type, _lanes(game, told), told.duration, label, ""
+        )
+    told, now = game.forecast, game.readout_time
+    length = max(told.duration, now)
+    label = w["time"].format(now=number(now), all=number(length))
+    drawn, playing = _lanes(game, told), game.moving and not game.paused
+    return lanes.timeline(surface, rect, sight.type, drawn, length, label, "", now, playing)
 
 
 def _lanes_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
@@ -266,12 +255,12 @@ def _lanes_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
     return None
 
 
-def _lanes(game: Game, told: Story | None) -> list[lanes.Lane]:
+def _lanes(game: Game, told: Story) -> list[lanes.Lane]:
     names = [name for name in (ball.name for ball in game.world.balls) if name in game.traced]
     result = []
     for place, name in enumerate(names):
-        own = [e for e in told.events if name in e.balls] if told else []
-        legs = next((lane.legs for lane in told.lanes if lane.name == name), ()) if told else ()
+        own = [e for e in told.events if name in e.balls]
+        legs = next((lane.legs for lane in told.lanes if lane.name == name), ())
         joins = (
             (e.time, names.index(other))
             for e in own

@@ -46,6 +46,7 @@ class View:
         self.parts = [p for p in fixed_parts(layout) + shot_parts(layout) if p.rect.w and p.rect.h]
         self._drawn: dict[str, Hashable] = {}
         self._mode = ""
+        self._news: tuple[int, str, str] | None = None
         self._help: str | None = None
         self._whole = True
 
@@ -69,7 +70,7 @@ class View:
     def _draw_whole(self, surface: pygame.Surface) -> list[pygame.Rect]:
         self._whole = False
         self.stage.everything(surface, self.game)
-        self._drawn, self._mode = {}, ""
+        self._drawn, self._mode, self._news = {}, "", None
         self._draw_parts(surface)
         if self._help is not None:
             layout = self.sight.layout
@@ -77,6 +78,10 @@ class View:
         return [surface.get_rect()]
 
     def _draw_parts(self, surface: pygame.Surface) -> list[pygame.Rect]:
+        news = (self.game.news, self.pointer.over, self.pointer.held)
+        if news == self._news:
+            return []
+        self._news = news
         dirty = self._switch(surface)
         for part in self._shown():
             key = self.game.language, part.key(self.sight)
