@@ -57,9 +57,9 @@ def opening(game: str, cue: str = "white") -> Position:
     other = "white" if cue == "yellow" else "yellow"
     own = (2.0, 2.0 - BESIDE)
     if game == SAGU:
-        way = ("red1", "east", "south", "red2")
         balls = {cue: own, other: (6.0, 2.0 + BESIDE), "red1": FOOT, "red2": HEAD}
-        return Position("opening", game, balls, way, (5.71, 2.17, -0.01, 0.34), cue)
+        sagu_way = ("red1", "east", "south", "red2")
+        return Position("opening", game, balls, sagu_way, (5.71, 2.17, -0.01, 0.34), cue)
     way = ("red", "north", "east", "south", other)
     balls = {cue: own, other: HEAD, "red": FOOT}
     return Position("opening", game, balls, way, (8.68, 5.43, 0.43, 0.13), cue)
