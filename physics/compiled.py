@@ -88,7 +88,6 @@ def packed(scene: Scene) -> Any:
         walls,
         felt,
         *rules,
-        column(scene.cushion_table),
         room,
         scene.celled,
         body.Grid(*cells[:5], *lists),

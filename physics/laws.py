@@ -45,13 +45,9 @@ class _CushionLaw:
     def rule(self) -> Rule:
         raise NotImplementedError
 
-    def table(self) -> Any:
-        """What the kernel looks up, if anything."""
-        return NO_TABLE
-
     def __call__(self, v: complex, roll: complex, side: float) -> CushionState:
         """The ball's v, roll and side after the hit; the wall is x = 0, the table x > 0; m/s."""
-        result: CushionState = kernel.cushion(v, roll, side, self.rule(), self.table())
+        result: CushionState = kernel.cushion(v, roll, side, self.rule())
         return result
 
 
@@ -72,9 +68,6 @@ class _BallLaw:
         return result
 
 
-NO_TABLE: list[float] = [0.0]
-
-
 @dataclass(frozen=True, slots=True)
 class RigidCushion(_CushionLaw):
     """The rigid impulse law (Han 2005, corrected): restitution e, friction mu, nose = h/R."""
@@ -90,6 +83,34 @@ class RigidCushion(_CushionLaw):
 
     def rule(self) -> Rule:
         return _bent(self, kernel.RIGID_CUSHION, self.e, self.mu, self.nose)
+
+
+@dataclass(frozen=True, slots=True)
+class MathavanCushion(_CushionLaw):
+    """Mathavan, Jackson and Parkin (2010): friction at the nose and at the cloth, all through the hit.
+
+    Restitution e, friction mu at the cushion and `slide` at the cloth, nose = h/R. ValueError also for
+    coefficients at which the ball would jam between nose and cloth.
+    """
+
+    e: float = 0.901
+    mu: float = 0.222
+    slide: float = 0.212
+    nose: float = 1.203
+
+    def __post_init__(self) -> None:
+        _restitution(self, self.e)
+        nonnegative("MathavanCushion.mu", self.mu)
+        nonnegative("MathavanCushion.slide", self.slide)
+        rule = self.rule()
+        pressed = max(0.0, rule.height + rule.level * self.mu)
+        if rule.level - abs(rule.height) * self.mu - self.slide * pressed <= 0.0:
+            raise ValueError(f"{self!r}: the ball would jam between nose and cloth")
+
+    def rule(self) -> Rule:
+        rule = _bent(self, kernel.MATHAVAN_CUSHION, self.e, self.mu, self.nose)
+        rule.slide = self.slide
+        return rule
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,7 +237,8 @@ class ForeignRule(Rule):
 def cushion_law(law: "str | CushionLaw") -> CushionLaw:
     """The law itself, from its name or as it is; ValueError for anything else."""
     names: dict[str, Callable[[], CushionLaw]] = {
-        "rigid": RigidCushion, "thesis": ThesisCushion, "capped": CappedCushion
+        "rigid": RigidCushion, "mathavan": MathavanCushion,
+        "thesis": ThesisCushion, "capped": CappedCushion,
     }  # fmt: skip
     found: CushionLaw = _law("cushion law", law, names)
     return found
@@ -266,8 +288,3 @@ def ball_rule(law: BallLaw, parting: float) -> Rule:
         rule = ForeignRule(kernel.FOREIGN_BALL, law)
     rule.parting = parting
     return rule
-
-
-def cushion_table(law: CushionLaw) -> Any:
-    """The numbers that the law looks up."""
-    return law.table() if isinstance(law, _CushionLaw) else NO_TABLE

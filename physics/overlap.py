@@ -102,7 +102,7 @@ def bounce(world: "World", time: float, i: int, k: int) -> None:
     """Ball i hits wall k."""
     scene = world.scene
     ball = bring(world, time, i)
-    hit_wall(ball, scene.walls[k], scene.cushion_rule, scene.cushion_table)
+    hit_wall(ball, scene.walls[k], scene.cushion_rule)
     launch(ball, scene.cloth)
     mark(world, i)
     note(world, time, CUSHION, i, k)

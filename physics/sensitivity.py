@@ -215,7 +215,7 @@ class _Replay:
         if kind == PHASE:
             self.kernel.motion.settle(balls[i])
         elif kind == CUSHION:
-            laws.hit_wall(balls[i], scene.walls[other], scene.cushion_rule, scene.cushion_table)
+            laws.hit_wall(balls[i], scene.walls[other], scene.cushion_rule)
         elif len(pairs) == 1:
             laws.hit_ball(balls[i], balls[other], scene.ball_rule)
         else:

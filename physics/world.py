@@ -154,7 +154,7 @@ class World:
         self._engine = engine
         self._renew_rules()
 
-    def _rules(self) -> tuple[object, object, object]:
+    def _rules(self) -> tuple[object, object]:
         vmin = self._engine.vmin
         ball = laws.ball_rule(self._ball_law, vmin)
         cushion = laws.cushion_rule(self._cushion_law, vmin)
@@ -162,7 +162,7 @@ class World:
             ball.function = BallWatch(ball.function, self._balls, self._told, vmin)
         if isinstance(cushion, laws.ForeignRule):
             cushion.function = CushionWatch(cushion.function, self._balls, self._told, vmin)
-        return ball, cushion, laws.cushion_table(self._cushion_law)
+        return ball, cushion
 
     @property
     def watched(self) -> bool:
@@ -171,8 +171,8 @@ class World:
         return any(type(rule) is laws.ForeignRule for rule in rules)
 
     def _renew_rules(self) -> None:
-        ball, cushion, table = self._rules()
-        self.scene = self.scene._replace(ball_rule=ball, cushion_rule=cushion, cushion_table=table)
+        ball, cushion = self._rules()
+        self.scene = self.scene._replace(ball_rule=ball, cushion_rule=cushion)
 
     # -- the moment it is at -------------------------------------------------------------------
 

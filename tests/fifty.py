@@ -48,18 +48,23 @@ def record(item: Any) -> Any:
     return copy
 
 
-def rest(world: World, until: float = float("inf")) -> tuple[list[Any], int]:
-    """Where the balls of a world at time 0 come to rest, as mpc, and after how many events."""
+def scene(world: World) -> Any:
+    """The scene of a world at time 0, planned, for this kernel."""
     package: Any = kernel()
     world.plan()
     scene = world.scene
-    room = package.body.ties(len(scene.balls))
     mine = package.body.Scene(
         [record(ball) for ball in scene.balls], [mpmath.inf] * len(scene.meetings),
         [record(wall) for wall in scene.walls], record(scene.cloth), record(scene.ball_rule),
-        record(scene.cushion_rule), scene.cushion_table, room, scene.celled,
-        package.body.no_grid(len(scene.balls)),
+        record(scene.cushion_rule), scene.cushion_table, package.body.ties(len(scene.balls)),
+        scene.celled, package.body.no_grid(len(scene.balls)),
     )  # fmt: skip
     package.calendar.plan(mine)
-    events, _ = package.calendar.advance(until, 10**5, mine)
+    return mine
+
+
+def rest(world: World, until: float = float("inf")) -> tuple[list[Any], int]:
+    """Where the balls of a world at time 0 come to rest, as mpc, and after how many events."""
+    mine = scene(world)
+    events, _ = kernel().calendar.advance(until, 10**5, mine)
     return [ball.position for ball in mine.balls], events

@@ -66,6 +66,7 @@ LAWS = [
     (laws.SmoothBall(), laws.CappedCushion()),
     (laws.RoughBall(0.95, 0.05), laws.RigidCushion()),
     (laws.RoughBall(), laws.RigidCushion(0.9, 0.2, 1.4)),
+    (laws.RoughBall(), laws.MathavanCushion()),
     (laws.ThesisBall(), laws.ThesisCushion()),
 ]
 

@@ -118,7 +118,6 @@ class Scene(NamedTuple):
     cloth: Any
     ball_rule: Any
     cushion_rule: Any
-    cushion_table: Any
     ties: Ties
     celled: bool  # is the grid used?
     grid: Grid

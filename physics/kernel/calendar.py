@@ -164,7 +164,7 @@ def happen(i, scene):
         settle(ball)
     else:
         kind = CUSHION
-        hit_wall(ball, scene.walls[goal], scene.cushion_rule, scene.cushion_table)
+        hit_wall(ball, scene.walls[goal], scene.cushion_rule)
         ball.trapped = ball.trapped + 1 if lasted < INSTANT else 0
         if ball.trapped > PATIENCE:
             release(ball, scene.walls, scene.cushion_rule.parting)

@@ -5,7 +5,7 @@ ball in the direction +x: the caller turns the picture there and back. A complex
 upward).
 """
 
-MATHAVAN_SOON = None
+from .mathavan import mathavan_cushion
 from .motion import length
 from .subset import complex, exp, foreign_ball, foreign_cushion, kernel
 
@@ -71,11 +71,11 @@ def capped_cushion(v, roll, side, rule):
 
 
 @kernel
-def cushion(v, roll, side, rule, table):
+def cushion(v, roll, side, rule):
     if rule.kind == RIGID_CUSHION:
         return rigid_cushion(v, roll, side, rule)
     if rule.kind == MATHAVAN_CUSHION:
-        return rigid_cushion(v, roll, side, rule)
+        return mathavan_cushion(v, roll, side, rule)
     if rule.kind == CAPPED_CUSHION:
         return capped_cushion(v, roll, side, rule)
     if rule.kind == FOREIGN_CUSHION:
@@ -104,10 +104,10 @@ def ball(v, roll, side, mass, rule):
 
 
 @kernel
-def hit_wall(ball, wall, rule, table):
+def hit_wall(ball, wall, rule):
     """Turn the picture so that the wall's normal is the x axis, and back."""
     inward, normal = wall.inward, wall.normal
-    v, roll, ball.side = cushion(inward * ball.velocity, inward * ball.roll, ball.side, rule, table)
+    v, roll, ball.side = cushion(inward * ball.velocity, inward * ball.roll, ball.side, rule)
     ball.velocity, ball.roll = normal * v, normal * roll
 
 
