@@ -1,6 +1,6 @@
 """Billiards, exact: balls, walls and laws on a cloth; `docs/tour.py` shows it in a page."""
 
-from . import laws, scenes, tables
+from . import laws, ledger, scenes, store, tables
 from .ball import Ball
 from .batch import Outcomes, simulate_many
 from .cloth import Cloth
@@ -17,8 +17,8 @@ from .watch import EnergyGainWarning
 from .world import World, simulate
 
 __all__ = [
-    "Ball", "Cloth", "CueStroke", "EnergyGainWarning", "Event", "EventBudgetError", "EventDriven",
-    "Leg", "Log", "Outcomes", "Recovered", "Sensitivity", "Shot", "State", "TimeStepping", "Wall",
-    "World", "laws", "recover", "scenes", "sensitivity", "simulate", "simulate_many", "tables",
-    "trace",
+    "Ball", "Cloth", "CueStroke", "EnergyGainWarning", "Event", "EventBudgetError",
+    "EventDriven", "Leg", "Log", "Outcomes", "Recovered", "Sensitivity", "Shot", "State",
+    "TimeStepping", "Wall", "World", "laws", "ledger", "recover", "scenes", "sensitivity",
+    "simulate", "simulate_many", "store", "tables", "trace",
 ]  # fmt: skip

@@ -2,13 +2,13 @@
 
 from dataclasses import dataclass
 from math import inf
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from . import hertz
 from .checks import nonnegative, positive
 from .kernel.calendar import CLUSTER, NOTHING, PAIR, happen, plan_meetings, soonest, start_leg
 from .kernel.grid import locate
-from .log import State
+from .record import planned_data
 
 if TYPE_CHECKING:
     from .world import World
@@ -29,9 +29,13 @@ class Engine(Protocol):
 
 
 class EventBudgetError(RuntimeError):
-    """More events than there may be; `.scene` is {ball: State} when it was last planned."""
+    """More events than there may be.
 
-    def __init__(self, budget: int, time: float, scene: dict[str, State]) -> None:
+    `.scene` is the world when a ball was last put or pushed, as plain data that JSON can hold and
+    `physics.store.restore` makes a world of.
+    """
+
+    def __init__(self, budget: int, time: float, scene: dict[str, Any]) -> None:
         super().__init__(f"more than {budget} events by t = {time!r} s; the scene is in .scene")
         self.scene = scene
 
@@ -43,6 +47,8 @@ class EventDriven:
     `budget`: how many events there may be after a ball was last put or pushed; one more raises
     EventBudgetError.
     """
+
+    foresees: ClassVar[bool] = True  # all that it plans follows from the legs
 
     vmin: float = 1e-3
     budget: int = 100_000
@@ -85,7 +91,9 @@ class EventDriven:
                     log.begin(other, epoch, balls[other], fade)
                 log.note(epoch, time, kind, i, other)
             if len(log) > world.allowed:
-                raise EventBudgetError(self.budget, epoch + time, log.at(world.planned))
+                raise EventBudgetError(
+                    self.budget, epoch + time, planned_data(world, self.budget)
+                )
         return time
 
 

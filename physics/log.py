@@ -150,8 +150,23 @@ class Log(Sequence[Event]):
 
     def rewind(self, mark: list[int]) -> None:
         """Forget what came after the mark."""
-        for entries, length in zip([self._events, *self._legs], mark, strict=True):
-            del entries[length:]
+        for entries, count in zip([self._events, *self._legs], mark, strict=True):
+            del entries[count:]
+
+    def begun(self, event: int) -> tuple[tuple[int, int], ...]:
+        """The legs that began with that event: (number of the ball, number of its leg)."""
+        _, _, kind, _, i, leg_i, j, leg_j, shared = self._events[event]
+        if shared is not None:
+            return tuple(shared[2])
+        return ((i, leg_i), (j, leg_j)) if kind == PAIR else ((i, leg_i),)
+
+    def legs_when(self, events: int) -> list[Leg]:
+        """The leg that each ball was on when there were so many events."""
+        before: dict[int, int] = {}
+        for event in range(max(0, events), len(self)):
+            for ball, leg in self.begun(event):
+                before.setdefault(ball, max(0, leg - 1))
+        return [Leg(*legs[before.get(ball, -1)]) for ball, legs in enumerate(self._legs)]
 
     def copy(self) -> "Log":
         """The same history, to be continued apart."""
@@ -186,6 +201,11 @@ class Log(Sequence[Event]):
 
     def __repr__(self) -> str:
         return f"<Log of {len(self)} events>"
+
+    @property
+    def masses(self) -> list[float]:
+        """Of the balls in `names`, kg."""
+        return self._masses[:]
 
     @property
     def start(self) -> float:

@@ -11,6 +11,7 @@ from .checks import nonnegative, positive
 from .engine import EventBudgetError
 from .kernel.motion import RESTING, carry
 from .overlap import contacts, end_phase, launch, mark
+from .record import planned_data
 
 if TYPE_CHECKING:
     from .world import World
@@ -103,7 +104,9 @@ class TimeStepping:
             if scheme.between is not None:
                 world.due = min([world.due, *(ball.next for ball in world.scene.balls)])
             if len(world.log) > world.allowed:
-                raise EventBudgetError(self.budget, world.epoch + time, world.log.at(world.planned))
+                raise EventBudgetError(
+                    self.budget, world.epoch + time, planned_data(world, self.budget)
+                )
         return time
 
     def _grid(self, world: "World", k: int) -> float:
@@ -119,9 +122,9 @@ class TimeStepping:
 
     def _insist_on_an_end(self, world: "World") -> None:
         if self.scheme == "literal":
-            raise ValueError("the thesis's program never rests: give World.run an `until`")
+            raise ValueError("the thesis's program never rests: run it until a time")
         if world.cloth.slide * world.cloth.roll * world.cloth.gravity == 0.0:
-            raise ValueError(f"nothing rests on {world.cloth!r}: give World.run an `until`")
+            raise ValueError(f"nothing rests on {world.cloth!r}: run it until a time")
 
 
 def _moving(world: "World") -> bool:

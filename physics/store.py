@@ -1,0 +1,224 @@
+"""Worlds and shots in JSON files: what is loaded goes on as what was saved, bit for bit."""
+
+import json
+import os
+import tempfile
+from dataclasses import dataclass, fields, is_dataclass
+from math import inf
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from . import engine, laws, stepping
+from .ball import Ball
+from .checks import finite, vector
+from .cloth import Cloth
+from .kernel.body import Body
+from .kernel.motion import place
+from .record import (
+    COMPLEX,
+    DISTURBED,
+    PAGE,
+    PHASES,
+    VERSION,
+    foresees,
+    insist_on_names,
+    shot_data,
+    world_data,
+)
+from .shot import Shot
+from .wall import Wall
+from .world import World
+
+NUMBERS = {name: number for number, name in PHASES.items()}
+
+
+def dumps(thing: World | Shot) -> str:
+    """The world or the shot as JSON text; a world without its log.
+
+    ValueError for a law or an engine from outside, which no file can hold.
+    """
+    if isinstance(thing, Shot):
+        data = shot_data(thing)
+    else:
+        insist_on_names(thing)
+        data = world_data(thing)
+    return json.dumps(data, indent=1, allow_nan=False) + "\n"
+
+
+def loads(text: str) -> World | Shot:
+    """What `dumps` made text of; ValueError, saying what is wrong and where, for anything else."""
+    try:
+        data = json.loads(text)
+    except json.JSONDecodeError as error:
+        raise ValueError(f"not JSON: {error}") from None
+    except RecursionError:
+        raise ValueError("not JSON of this kind: nested too deep") from None
+    return restore(data)
+
+
+def save(thing: World | Shot, path: str | os.PathLike[str]) -> None:
+    """Write `dumps` to a file, all of it or nothing; OSError where that cannot be."""
+    text, path = dumps(thing), Path(path)
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        Path(name).replace(path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+
+
+def load(path: str | os.PathLike[str]) -> World | Shot:
+    """What `save` wrote; ValueError, naming the file, what is wrong and where."""
+    try:
+        return loads(Path(path).read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise ValueError(f"{os.fspath(path)}: {error}") from None
+
+
+def restore(data: Any) -> World | Shot:
+    """A world or a shot from plain data, such as `EventBudgetError.scene`."""
+    spot = Spot(data, "")
+    kind = spot["danggu"].text()
+    version = spot["version"].value
+    if version != VERSION:
+        raise ValueError(f"version is {version!r}; this program reads version {VERSION}")
+    if kind == "shot":
+        names = ("speed", "angle", "follow", "masse", "side")
+        return Shot(**{name: spot[name].number() for name in names})
+    if kind != "world":
+        raise ValueError(f'danggu is {kind!r}; it must be "world" or "shot"')
+    return _world(spot)
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """A value in the file, and where it is."""
+
+    value: Any
+    where: str
+
+    def __getitem__(self, key: Any) -> "Spot":
+        where = f"{self.where}.{key}" if self.where else str(key)
+        if not isinstance(self.value, dict):
+            raise ValueError(
+                f"{self.where or 'the whole'} must be an object, not {self.value!r:.60}"
+            )
+        if key not in self.value:
+            raise ValueError(f"{where} is missing")
+        return Spot(self.value[key], where)
+
+    def items(self) -> "list[Spot]":
+        if not isinstance(self.value, list):
+            raise ValueError(f"{self.where} must be a list, not {self.value!r:.60}")
+        return [Spot(value, f"{self.where}[{k}]") for k, value in enumerate(self.value)]
+
+    def number(self) -> float:
+        if isinstance(self.value, str | bool):
+            raise ValueError(f"{self.where} must be a number, not {self.value!r:.60}")
+        return finite(self.where, self.value)
+
+    def number_or_inf(self) -> float:
+        """JSON has no infinity: null stands for it."""
+        return inf if self.value is None else self.number()
+
+    def complex(self) -> complex:
+        return complex(*vector(self.where, [spot.number() for spot in self.items()], 2))
+
+    def text(self) -> str:
+        if not isinstance(self.value, str):
+            raise ValueError(f"{self.where} must be text, not {self.value!r:.60}")
+        return self.value
+
+
+def _world(spot: Spot) -> World:
+    world = World(
+        _made(Cloth, spot["cloth"]),
+        _one_of((laws,), spot["ball_law"]),
+        _one_of((laws,), spot["cushion_law"]),
+        _one_of((engine, stepping), spot["engine"]),
+    )
+    if spot["cluster_law"].value is not None:
+        world.cluster_law = _made(laws.HertzCluster, spot["cluster_law"])
+    for wall in spot["walls"].items():
+        name = None if wall["name"].value is None else wall["name"].text()
+        world.add(Wall(wall["normal"].complex(), wall["offset"].number(), name))
+    _put_balls(world, spot)
+    return world
+
+
+def _made(kind: Any, spot: Spot) -> Any:
+    """A dataclass from its fields; its own ValueError, with the place, if it refuses them."""
+    values = {field.name: spot[field.name].value for field in fields(kind)}
+    for name, value in values.items():
+        if isinstance(value, bool) or not isinstance(value, int | float | str | None):
+            raise ValueError(f"{spot.where}.{name} must be a number or text, not {value!r:.60}")
+    try:
+        return kind(**values)
+    except (ValueError, TypeError) as error:
+        raise ValueError(f"{spot.where}: {error}") from None
+
+
+def _one_of(modules: tuple[ModuleType, ...], spot: Spot) -> Any:
+    """A law or an engine by its name."""
+    name = spot["name"].text()
+    for module in modules:
+        kind = vars(module).get(name)
+        if is_dataclass(kind) and isinstance(kind, type) and kind.__module__ == module.__name__:
+            return _made(kind, spot)
+    raise ValueError(f"{spot.where}.name is {name!r}, which this program does not know")
+
+
+def _put_balls(world: World, spot: Spot) -> None:
+    """The balls where they are, first at rest and checked, then each on its leg."""
+    epoch, now = spot["epoch"].number(), spot["now"].number()
+    planned, due = spot["planned"].number(), spot["due"].number_or_inf()
+    bodies = [_body(ball) for ball in spot["balls"].items()]
+    for ball, body in zip(spot["balls"].items(), bodies, strict=True):
+        p = place(body, 0.0 if body.phase < 0 else now - body.since)
+        world.add(Ball(ball["name"].text(), (p.real, p.imag), radius=body.radius, mass=body.mass))
+    if not foresees(world):
+        world.clock.moved = False  # fixed steps let things overlap
+    world.plan()
+    world.clock.epoch, world.clock.now = epoch, now
+    for mine, body in zip(world.balls, bodies, strict=True):
+        for name in ("since", "position", "velocity", "acceleration", "roll", "side", "phase"):
+            setattr(mine.body, name, getattr(body, name))
+    going = [k for k, body in enumerate(bodies) if body.phase >= 0]
+    world.log.rewind([0] * (1 + len(bodies)))
+    world.engine.plan(world, going)
+    world.planned = planned
+    if not foresees(world):
+        _keep_grid(world, due, bodies, going)
+    world.clock.disturbed = len(going) < len(bodies)
+
+
+def _keep_grid(world: World, due: float, bodies: list[Body], going: list[int]) -> None:
+    """Fixed steps count from when they began: that must not begin anew."""
+    for k in going:
+        mine, body = world.scene.balls[k], bodies[k]
+        for name in Body.__slots__:
+            setattr(mine, name, getattr(body, name))
+    world.due = due
+
+
+def _body(spot: Spot) -> Body:
+    body = Body(spot["radius"].number(), spot["mass"].number(), spot["since"].number())
+    for name in COMPLEX:
+        setattr(body, name, spot[name].complex())
+    body.side = spot["side"].number()
+    if spot["page"].value is not None:
+        for name in PAGE:
+            note = spot["page"][name]
+            whole = name in ("goal", "partner")
+            setattr(body, name, int(note.number()) if whole else note.number_or_inf())
+    phase = spot["phase"].text()
+    if phase != DISTURBED and phase not in NUMBERS:
+        known = ", ".join([DISTURBED, *NUMBERS])
+        raise ValueError(f"{spot.where}.phase is {phase!r}; it must be one of {known}")
+    body.phase = NUMBERS.get(phase, -1)
+    return body
