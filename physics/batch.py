@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib.util
 from collections.abc import Sequence
 from concurrent.futures import Executor
-from dataclasses import astuple
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .ball import Ball
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 CHUNK = 4096  # shots that an executor is handed at once: 10 ms compiled, 0.5 s interpreted
 WORTH = 5000  # shots: below that, loading the compiled kernel takes longer than it saves
+
+
+_numbers = attrgetter("speed", "angle", "follow", "masse", "side")
 
 
 class Outcomes(NamedTuple):
@@ -70,7 +73,7 @@ def simulate_many(
 def _table(shots: Any, np: Any) -> Any:
     """The shots as an array (shots, 5), each of them one that could be played."""
     if not isinstance(shots, np.ndarray):
-        shots = [astuple(shot) if isinstance(shot, Shot) else shot for shot in shots]
+        shots = [_numbers(shot) if isinstance(shot, Shot) else shot for shot in shots]
     table = np.asarray(shots, float).reshape(-1, 5) if len(shots) else np.empty((0, 5))
     for bad in np.flatnonzero(~(np.isfinite(table).all(axis=1) & (table[:, 0] > 0.0))):
         try:
