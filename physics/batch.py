@@ -55,6 +55,8 @@ def simulate_many(
     world.plan()
     table = _table(shots, np)
     if not isinstance(world.engine, EventDriven) or world.cluster_law is not None:
+        if compiled:
+            raise ValueError("this engine or cluster law runs interpreted: compiled=True cannot be")
         return _one_by_one(world, ball, table, np)
     starts = _starts(world, world.ball(ball).name, table, np)
     job = Job(world.scene, world.engine.budget, _choose(world, len(starts), compiled))

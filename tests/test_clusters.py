@@ -201,6 +201,23 @@ def test_ordinary_play_is_the_same_with_and_without_springs():
     shots = [Shot(3.0, float(angle), follow=0.5, side=1.5) for angle in range(0, 360, 12)]
     for a, b in zip(*(simulate_many(w, "white", shots) for w in (plain, springs)), strict=True):
         assert (a == b).all()
+    with pytest.raises(ValueError, match="runs interpreted"):
+        simulate_many(springs, "white", shots, compiled=True)
+
+
+def test_springs_act_in_a_crowd_with_cells_as_in_a_small_scene():
+    def blow(bystanders):
+        world = World(Cloth(), laws.SmoothBall(1.0))
+        world.cluster_law = "hertz"
+        for n in range(5):
+            world.add(Ball(f"{n}", at=(2.0 * R * n, 0.0)))
+        for n in range(bystanders):
+            world.add(Ball(f"far {n}", at=(0.1 * n, 2.0)))
+        world.strike("0", Shot(1.0))
+        world.run()
+        return [world.ball(f"{n}").position for n in range(5)]
+
+    assert blow(40) == blow(3)
 
 
 def test_a_cluster_that_spin_presses_together_comes_to_rest():
