@@ -1,0 +1,149 @@
+"""`python -m physics scene NAME`: play a scene, print its events, write its paths, draw it."""
+
+import argparse
+import csv
+import sys
+from math import hypot, inf
+from typing import NoReturn
+
+from . import scenes, tables
+from .engine import EventBudgetError, EventDriven
+from .log import Event
+from .stepping import SCHEMES, TimeStepping
+from .trace import trace
+from .world import World
+
+LAWS = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM}
+WORDS = {"exact": "exact engine", "literal": "the thesis's program", "thesis": "the thesis's step"}
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Exit code 0, or 2 with a message where something cannot be."""
+    options = parser().parse_args(argv)
+    if options.name not in scenes.SCENES:
+        return refuse(f"no scene {options.name!r}: there are {', '.join(scenes.SCENES)}")
+    try:
+        return scene(options)
+    except (ValueError, EventBudgetError, ImportError, OSError) as error:
+        return refuse(str(error))
+
+
+def refuse(message: str) -> int:
+    print(f"python -m physics: {message}", file=sys.stderr)
+    return 2
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        self.exit(refuse(message))
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options."""
+    commands = Parser(prog="python -m physics", description="Billiards, exact.")
+    sub = commands.add_subparsers(dest="command", required=True, metavar="scene")
+    engines = ["exact", *SCHEMES]
+    one = sub.add_parser("scene", help="play a scene and print what happens")
+    one.add_argument("name", metavar="NAME", help=", ".join(scenes.SCENES))
+    one.add_argument("--law", choices=LAWS, help="cloth and laws of a table instead of the scene's")
+    one.add_argument(
+        "--engine", choices=engines, help="what moves the balls, instead of the scene's"
+    )
+    one.add_argument("--against", choices=engines, help="a second engine, dashed in the picture")
+    one.add_argument("--dt", type=float, default=1 / 180, help="s, of stepping engines (1/180)")
+    one.add_argument("--until", type=float, default=inf, help="s; all at rest if not given")
+    one.add_argument("--rate", type=float, default=60.0, help="samples a second of --csv (60)")
+    one.add_argument("--csv", metavar="FILE", help="write time and x, y of every ball, s and m")
+    one.add_argument("--png", metavar="FILE", help="write a picture (needs matplotlib)")
+    return commands
+
+
+def scene(options: argparse.Namespace) -> int:
+    """Play it and write what is wanted."""
+    start = scenes.SCENES[options.name]()
+    if options.law:
+        table = LAWS[options.law]
+        start.cloth, start.ball_law, start.cushion_law = (
+            table.cloth,
+            table.ball_law,
+            table.cushion_law,
+        )
+    other = start.copy() if options.against else None
+    world = played(start, options.engine, options.dt, options.until)
+    report(world, options)
+    if options.csv:
+        write(world, options.rate, options.csv)
+    if options.png:
+        if other is not None:
+            other = played(other, options.against, options.dt, world.time)
+        draw(world, other, options)
+    return 0
+
+
+def played(world: World, engine: str | None, dt: float, until: float) -> World:
+    """The world at the end, moved by this engine."""
+    if engine:
+        world.engine = EventDriven() if engine == "exact" else TimeStepping(dt, engine)
+    world.run(until)
+    return world
+
+
+def word(engine: str | None) -> str:
+    """For people: every scene is exact by itself."""
+    return WORDS.get(engine or "exact", f"{engine}")
+
+
+def report(world: World, options: argparse.Namespace) -> None:
+    """A line an event."""
+    count = len(world.log)
+    print(f"{options.name}: {count} events in {world.time:.4f} s, {word(options.engine)}")
+    print(f"{'time, s':>9}  {'event':8} {'who':24} speed before -> after, m/s")
+    for event in world.log:
+        who = ", ".join([*event.balls, *([event.wall] if event.wall else [])])
+        print(f"{event.time:9.4f}  {event.kind:8} {who:24} {speeds(event)}")
+
+
+def speeds(event: Event) -> str:
+    pairs = zip(event.before, event.after, strict=True)
+    return ", ".join(f"{hypot(*b.velocity):.4f} -> {hypot(*a.velocity):.4f}" for b, a in pairs)
+
+
+def write(world: World, rate: float, file: str) -> None:
+    """The paths as comma-separated values."""
+    times, paths = trace(world, rate)
+    names = [ball.name for ball in world.balls]
+    with open(file, "w", newline="") as out:
+        rows = csv.writer(out)
+        rows.writerow(["time", *(f"{name} {axis}" for name in names for axis in "xy")])
+        for time, spots in zip(times, paths, strict=True):
+            rows.writerow([float(time), *map(float, spots.flat)])
+
+
+def draw(world: World, other: World | None, options: argparse.Namespace) -> None:
+    """The picture, titled with the first sentence of the scene."""
+    from . import plot
+
+    title = (
+        (scenes.SCENES[options.name].__doc__ or options.name)
+        .split("\n")[0]
+        .rstrip(".")
+        .replace("`", "")
+    )
+    dashes = word(options.against) if other else ""
+    note = f"After {world.time:.2f} s. " + (apart(world, other, dashes) if other else "")
+    figure = plot.picture(world, title, note, word(options.engine), other, dashes)
+    plot.save(figure, options.png)
+
+
+def apart(world: World, other: World, dashes: str) -> str:
+    """How far the balls of the other world are from where they should be, and how fast."""
+    words = []
+    for a, b in zip(world.balls, other.balls, strict=True):
+        (x, y), (p, q) = a.position, b.position
+        far, fast, slow = hypot(x - p, y - q), hypot(*b.velocity), hypot(*a.velocity)
+        words.append(f"{a.name} {far:.2f} m away, at {fast:.2f}, not {slow:.2f} m/s")
+    return f"With {dashes}: {'; '.join(words)}."
+
+
+if __name__ == "__main__":
+    sys.exit(main())
