@@ -44,8 +44,11 @@ EDITING = {
 }
 
 
-def of_key(event: pygame.event.Event, box: int | None) -> Action | None:
-    """Return what a KEYDOWN means while `box` is edited, or in play (None)."""
+def of_key(event: pygame.event.Event, box: int | None, texts: bool) -> Action | None:
+    """Return what a KEYDOWN means while `box` is edited, or in play (None).
+
+    `texts` says that a TEXTINPUT follows for each character: then the key itself is none.
+    """
     key, mod = event.key, getattr(event, "mod", 0)
     if key in ALWAYS:
         return ALWAYS[key]
@@ -55,9 +58,10 @@ def of_key(event: pygame.event.Event, box: int | None) -> Action | None:
         return None
     if key == pygame.K_TAB:
         return _tab(box, bool(mod & pygame.KMOD_SHIFT))
+    text = "" if texts else getattr(event, "unicode", "")
     if box is not None:
-        return EDITING.get(key)
-    return PLAY.get(key) or _first_character(getattr(event, "unicode", ""))
+        return EDITING.get(key) or _characters(text)
+    return PLAY.get(key) or _first_character(text)
 
 
 def of_text(event: pygame.event.Event, box: int | None) -> Action | None:

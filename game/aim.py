@@ -46,13 +46,20 @@ def plain(number: float, places: int = 2) -> str:
     return "0" if text in ("-0", "") else text
 
 
+def value(text: str) -> float:
+    """Return the number that a text means; ValueError if it means none."""
+    if "_" in text:
+        raise ValueError("an underscore is no digit")
+    return float(unicodedata.normalize("NFKC", text).replace(MINUS, "-"))
+
+
 @lru_cache(maxsize=256)
 def fault(box: int, text: str) -> Fault | None:
     """Return what is wrong with the text of a box, or None."""
     if not text.strip():
         return Fault(box, "empty")
     try:
-        number = float(unicodedata.normalize("NFKC", text).replace(MINUS, "-").replace("_", "?"))
+        number = value(text)
     except ValueError:
         return Fault(box, "number")
     if not isfinite(number):
@@ -99,8 +106,13 @@ class Aim:
         """The shot that the five texts mean, or None."""
         if self.faults:
             return None
-        numbers = [float(text.replace(MINUS, "-")) for text in self.texts]
-        return Shot(**dict(zip(BOXES, numbers, strict=True)))
+        return Shot(**dict(zip(BOXES, map(value, self.texts), strict=True)))
+
+    @property
+    def angle(self) -> float | None:
+        """The angle alone, degrees, while the rest of the entry may still be missing."""
+        box = BOXES.index("angle")
+        return None if fault(box, self.texts[box]) else value(self.texts[box])
 
     def edit(self, box: int = 0, clear: bool = False) -> None:
         """Begin or go on editing at `box`; `clear` empties all five first."""

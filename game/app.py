@@ -29,13 +29,13 @@ class Stats:
 
     drawn: int = 0
     skipped: int = 0
-    events: int = 0
+    inputs: int = 0
 
     def line(self, game: Game) -> str:
         """All of it in a line."""
         return (
             f"frames drawn {self.drawn}, frames skipped {self.skipped}, "
-            f"physics calls {game.calls}, events {self.events}"
+            f"physics calls {game.calls}, events {game.events}, inputs {self.inputs}"
         )
 
 
@@ -64,6 +64,8 @@ class App:
         self.actions: list[tuple[int, Action]] = []
         self._shown_version = -1
         self._typing: bool | None = None
+        self._texts = False
+        """Was text input on when SDL made the events of this frame?"""
         self._sync_typing()
 
     def run(self) -> None:
@@ -76,7 +78,8 @@ class App:
 
     def frame(self, ticks: int) -> bool:
         """One frame that lasts `ticks`; returns whether anything happened in it."""
-        before = self.stats.events
+        before = self.stats.inputs
+        self._texts = bool(self._typing)
         for event in pygame.event.get():
             self.handle(event)
         end = self.game.tick + ticks
@@ -85,13 +88,13 @@ class App:
             for event in line.events:
                 self.handle(event)
         self.update(end - self.game.tick)
-        return self.render() or self.stats.events != before
+        return self.render() or self.stats.inputs != before
 
     # -- handle --------------------------------------------------------------------------------
 
     def handle(self, event: pygame.event.Event) -> None:
         """Turn one event into what it means."""
-        self.stats.events += 1
+        self.stats.inputs += 1
         if event.type == pygame.QUIT:
             self.perform(Action("quit"))
         elif event.type == pygame.KEYDOWN:
@@ -120,7 +123,7 @@ class App:
             elif event.key == pygame.K_F2:
                 self.perform(Action("language"))
             return
-        self.perform(of_key(event, self.game.aim.box))
+        self.perform(of_key(event, self.game.aim.box, self._texts))
 
     def _text(self, event: pygame.event.Event) -> None:
         if not self.game.help:

@@ -70,7 +70,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     add("--script", metavar="FILE", help="keys and text to play, see below")
     add("--screenshot", metavar="FILE", help="save the last picture (.png)")
-    add("--stats", action="store_true", help="print counts of frames, physics calls, events")
+    add("--stats", action="store_true", help="print counts: frames, physics calls, events")
     add("--version", action="store_true", help="print which pygame is in use")
     return parser
 

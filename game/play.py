@@ -19,7 +19,7 @@ from .preview import NO_STORY, Preview, Story, forecast, preview
 
 FRAME = TICKS // 60
 """What a single frame is while the game is paused."""
-READING = TICKS // 10
+READING = TICKS // 8
 """How often the read-outs change while balls move: faster cannot be read."""
 
 MOST_TRACED = 6
@@ -48,7 +48,7 @@ class Game:
         self.paused = self.help = self.over = False
         self.language = "en"
         self.notice: Notice | None = None
-        self.tick = self.shots = self.calls = 0
+        self.tick = self.shots = self.calls = self.events = 0
         self.began = world.time
         self.shown_shot = False
         """Is the last shot on show, rather than the next one?"""
@@ -232,12 +232,14 @@ class Game:
             self._read()
 
     def _step(self, dt: float) -> None:
+        before = len(self.world.log)
         self.calls += 1
         try:
             self.world.step(dt)
         except EventBudgetError:
             self.world.stop()
             self.notice = Notice("budget", error=True)
+        self.events += max(len(self.world.log) - before, 0)
         if not self._moves():
             self._rest()
 

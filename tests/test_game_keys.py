@@ -294,3 +294,24 @@ def test_the_lanes_buttons_go_back_play_and_skip(app):
     assert not app.game.moving
     click(app, back)
     assert places(app.game) == start
+
+
+def test_characters_typed_faster_than_a_frame_are_neither_lost_nor_doubled(app):
+    # text input is still off when SDL makes these events: no TEXTINPUT comes for them
+    press(app, "2", ".", "5", frames=False)
+    app.frame(FRAME)
+    assert app.game.aim.texts[0] == "2.5"
+    # and here it is still on: the TEXTINPUT comes although RETURN has left the boxes
+    press(app, "tab", "tab", "tab", "tab")
+    press(app, "return", "7", frames=False)
+    pygame.event.post(pygame.event.Event(pygame.TEXTINPUT, text="7"))
+    app.frame(FRAME)
+    assert app.game.aim.texts[0] == "7"
+
+
+def test_the_direction_is_drawn_as_soon_as_there_is_an_angle(app):
+    press(app, "right")
+    empty = app.view.stage.lines.copy()
+    press(app, "shift+tab")
+    write(app, "10")
+    assert pygame.image.tobytes(empty, "RGB") != pygame.image.tobytes(app.view.stage.lines, "RGB")

@@ -10,10 +10,12 @@ from players import FRAME, an_app, click, places, press, run_to_rest, write
 
 from game import __main__ as entry
 from game.actions import Action
+from game.aim import Aim
 from game.clock import LONGEST, TICKS, RealClock, VirtualClock, shares
-from game.play import Game
+from game.play import Game, Notice
 from game.script import parse
 from game.setup import SCENES, table_world
+from physics import EventDriven, simulate
 
 TWO_SHOTS = """
 0.10 key return
@@ -104,7 +106,10 @@ def test_a_scripted_shot_runs_headless_and_tells_what_it_did(tmp_path, capsys):
     picture = tmp_path / "x.png"
     assert scripted(tmp_path, "--frames", "120", "--screenshot", str(picture)) == 0
     said = capsys.readouterr().out
-    assert "frames drawn 120, frames skipped 0, physics calls 720" in said
+    world = table_world("medium")
+    events = [e for e in simulate(world, "white", Aim().shot).log if e.time <= 2.0]
+    wanted = f"frames drawn 120, frames skipped 0, physics calls 720, events {len(events)},"
+    assert wanted in said
     assert pygame.image.load(str(picture)).get_size() == (1280, 720)
 
 
@@ -192,3 +197,16 @@ def test_starting_the_game_loads_neither_numba_nor_matplotlib():
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
     assert done.stderr == ""
     assert done.returncode == 0
+
+
+def test_a_shot_with_too_many_events_is_stopped_with_a_message_and_the_game_goes_on():
+    app = an_app()
+    app.game.world.engine = EventDriven(budget=3)
+    press(app, "return")
+    for _ in range(200):
+        app.frame(FRAME)
+    assert not app.game.moving
+    assert app.game.notice == Notice("budget", error=True)
+    app.game.world.engine = EventDriven()
+    press(app, "r", "return")
+    assert app.game.moving

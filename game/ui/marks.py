@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from cmath import rect
 from collections.abc import Sequence
-from math import atan2, hypot
+from math import atan2, copysign, hypot, radians
 
 import pygame
 
@@ -38,7 +39,9 @@ def draw(
     """Draw the marks; returns the rectangles around them."""
     if aiming(game):
         preview = game.preview
-        return _preview(surface, layout, game, preview, looks) if preview else []
+        if preview is None:
+            return _direction(surface, layout, game)
+        return _preview(surface, layout, game, preview, looks)
     return _traces(surface, layout, game, looks) if game.shown_shot else []
 
 
@@ -70,6 +73,22 @@ def _preview(
     if contact is not None:
         rects += _meeting(surface, layout, game, contact, looks)
     return rects
+
+
+def _direction(surface: pygame.Surface, layout: Layout, game: Game) -> Rects:
+    """Draw where the cue ball would leave to, as far as the cushion, while the rest is unknown."""
+    if game.aim.angle is None:
+        return []
+    ball = game.world.ball(game.cue)
+    x, y = ball.position
+    ahead = rect(1.0, radians(game.aim.angle))
+    half = (layout.length / 2 - ball.radius, layout.width / 2 - ball.radius)
+    steps = zip((x, y), (ahead.real, ahead.imag), half, strict=True)
+    reach = min((side - at * copysign(1, step)) / abs(step) for at, step, side in steps if step)
+    ends = [(x, y), (x + reach * ahead.real, y + reach * ahead.imag)]
+    s = layout.s
+    shown = [layout.to_screen(*p) for p in ends]
+    return [lines.polyline(surface, shown, WHITE, 1.4 * s, 0.6, dashes=(6 * s, 6 * s))]
 
 
 def _clear(points: list[tuple[float, float]], gap: float) -> list[tuple[float, float]]:

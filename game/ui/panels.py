@@ -135,7 +135,7 @@ def _contact(sight: Sight) -> Contact | None:
 
 
 def _thickness_key(sight: Sight) -> Hashable:
-    return _contact(sight)
+    return sight.game.preview is None, _contact(sight)
 
 
 def _thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -156,7 +156,8 @@ def _nothing_met(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
     s, t, w = sight.layout.s, sight.type, sight.words
     cards.card(surface, rect, s)
     t.draw(surface, w["thickness"], (rect.x + 12 * s, rect.y + 24 * s), 13, TEXT_SOFT)
-    t.draw(surface, w["thickness.free"], (rect.x + 12 * s, rect.y + 56 * s), 15, TEXT_SOFT)
+    said = w["thickness.free"] if sight.game.preview else "–"
+    t.draw(surface, said, (rect.x + 12 * s, rect.y + 56 * s), 15, TEXT_SOFT)
     return rect
 
 

@@ -153,7 +153,7 @@ def _merged(rects: Iterable[pygame.Rect]) -> list[pygame.Rect]:
     for rect in rects:
         for i, other in enumerate(merged):
             union = other.union(rect)
-            if other.colliderect(rect) and union.w * union.h <= 1.2 * (
+            if other.colliderect(rect) and union.w * union.h <= 1.5 * (
                 other.w * other.h + rect.w * rect.h
             ):
                 merged[i] = union
