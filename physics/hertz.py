@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 from .kernel.body import Body, Scene
 from .kernel.calendar import CLUSTER, NOTHING, plan_meetings, start_leg
 from .kernel.calendar import happen as happen_quickly
-from .kernel.cluster import AGREES, SWEEPS, closing_speed, slip_between
+from .kernel.cluster import AGREES, SWEEPS, closing_speed, relax_rub, slip_between
 from .kernel.grid import NOBODY, pass_by
-from .kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, friction, grip, press, toward
+from .kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
 from .kernel.motion import carry, length, place
 
 if TYPE_CHECKING:
@@ -100,33 +100,22 @@ def _restitution(law: "HertzCluster", rule: Any) -> float:
 def _apply(contacts: Contacts, pushes: Sequence[float], scene: Scene) -> None:
     """The pushes, then the rubs; and a note of them where the engine looks for it."""
     balls, ties, n = scene.balls, scene.ties, len(contacts)
+    ties.first[:n], ties.second[:n] = [a for a, _ in contacts], [b for _, b in contacts]
+    ties.total[:n] = ties.push[:n] = pushes
     for (a, b), push in zip(contacts, pushes, strict=True):
         press(balls[a], balls[b], toward(balls[a], balls[b]), push, 0j)
     if scene.ball_rule.kind in (ROUGH_BALL, ALCIATORE_BALL):
-        _rub(contacts, pushes, scene)
-    ties.first[:n], ties.second[:n], ties.total[:n] = (
-        [a for a, _ in contacts], [b for _, b in contacts], pushes
-    )  # fmt: skip
+        _rub([(balls[a], balls[b]) for a, b in contacts], scene)
 
 
-def _rub(contacts: Contacts, pushes: Sequence[float], scene: Scene) -> None:
+def _rub(pairs: Sequence[tuple[Body, Body]], scene: Scene) -> None:
     """Of all rubs that friction can hold, those that leave the least energy: contact by contact."""
-    pairs = [(scene.balls[a], scene.balls[b]) for a, b in contacts]
-    lines = [toward(a, b) for a, b in pairs]
-    slips = [slip_between(a, b, line) for (a, b), line in zip(pairs, lines, strict=True)]
-    most = [grip(s, scene.ball_rule) * push for s, push in zip(slips, pushes, strict=True)]
-    rubs = [0j] * len(pairs)
-    least = AGREES * max(length(slip) for slip in slips)
+    ties, n = scene.ties, len(pairs)
+    slips = [slip_between(a, b, toward(a, b)) for a, b in pairs]
+    ties.grip[:n], ties.rub[:n] = [grip(slip, scene.ball_rule) for slip in slips], [0j] * n
+    least = AGREES * max(length(ball.velocity) for pair in pairs for ball in pair)
     for _ in range(SWEEPS):
-        change = 0.0
-        for c, (a, b) in enumerate(pairs):
-            yielding = 3.5 * (1.0 / a.mass + 1.0 / b.mass)
-            wish = slip_between(a, b, lines[c]) - yielding * rubs[c]
-            rub = friction(wish, most[c], yielding) if most[c] > 0.0 else 0j
-            press(a, b, lines[c], 0.0, rub - rubs[c])
-            change = max(change, yielding * length(rub - rubs[c]))
-            rubs[c] = rub
-        if change <= least:
+        if max([relax_rub(c, scene.balls, ties) for c in range(n)]) <= least:
             return
 
 

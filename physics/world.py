@@ -42,6 +42,7 @@ class World:
         self._cluster_law: laws.HertzCluster | None = None
         self._clock = Clock(self._cloth.felt())
         self._balls: list[Ball] = []
+        self._watched = False  # is a law from outside in use?  Then a run that fails is undone
         self._told: list[object] = []  # the laws from outside that were found to gain energy
         self._index: dict[str, int] = {}
         self._walls: list[Wall] = []
@@ -136,8 +137,11 @@ class World:
 
     @property
     def cluster_law(self) -> laws.HertzCluster | None:
-        """What happens when three balls or more touch; None: the ball law, contact by contact, those
-        that close equally fast together. Assign laws.HertzCluster() for the accurate way."""
+        """What happens when three balls or more touch.
+
+        None: the ball law, contact by contact, those that close equally fast together.
+        laws.HertzCluster(), or "hertz", is the accurate way.
+        """
         return self._cluster_law
 
     @cluster_law.setter
@@ -162,13 +166,8 @@ class World:
             ball.function = BallWatch(ball.function, self._balls, self._told, vmin)
         if isinstance(cushion, laws.ForeignRule):
             cushion.function = CushionWatch(cushion.function, self._balls, self._told, vmin)
+        self._watched = any(isinstance(rule, laws.ForeignRule) for rule in (ball, cushion))
         return ball, cushion
-
-    @property
-    def watched(self) -> bool:
-        """Is a law from outside in use?  Then a run that fails is undone."""
-        rules = self.scene.ball_rule, self.scene.cushion_rule
-        return any(type(rule) is laws.ForeignRule for rule in rules)
 
     def _renew_rules(self) -> None:
         ball, cushion = self._rules()
@@ -223,7 +222,7 @@ class World:
     def step(self, dt: float) -> None:
         """Let dt seconds pass; n steps of dt / n lead to the same rest, bit for bit, for any n."""
         nonnegative("World.step dt", dt)
-        if self.watched:
+        if self._watched:
             with undone(self):
                 self._step(dt)
         else:
@@ -242,7 +241,7 @@ class World:
         """Let time pass till all balls rest, or till world time `until`, s, that included."""
         if isnan(until) or until < self.time:
             raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
-        if self.watched:
+        if self._watched:
             with undone(self):
                 self._run(until)
         else:
@@ -272,7 +271,7 @@ class World:
             ties=ties(len(balls)),
             grid=twin_grid(self.scene.grid) if self.scene.celled else no_grid(len(balls)),
         )
-        if world.watched:
+        if world._watched:
             world._renew_rules()  # so that it watches its own balls
         return world
 
