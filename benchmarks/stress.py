@@ -2,11 +2,15 @@
 
 import argparse
 from collections.abc import Iterator
+from pathlib import Path
 from random import Random
 from time import process_time
 
+from . import stepping_breaks
 from .families import FAMILIES
 from .trials import Trial, outcome
+
+HEAD = "| family | trials | events | failed | CPU s |\n|---|---|---|---|---|"
 
 
 def trial(family: str, k: int, seed: int) -> Trial:
@@ -21,8 +25,8 @@ def failures(family: str, ks: range, seed: int) -> Iterator[tuple[int, list[str]
         yield k, found, events
 
 
-def report(family: str, ks: range, seed: int) -> int:
-    """Run a family, print its line of the table and its first faults; how many trials failed."""
+def report(family: str, ks: range, seed: int) -> tuple[str, int]:
+    """Run a family and print its first faults: (its line of the table, how many trials failed)."""
     start, events, bad = process_time(), 0, 0
     for k, found, happened in failures(family, ks, seed):
         events += happened
@@ -30,23 +34,40 @@ def report(family: str, ks: range, seed: int) -> int:
             bad += 1
             if bad <= 5:
                 print(f"  --family {family} --seed {seed} --only {k}: {'; '.join(found)[:300]}")
-    seconds = process_time() - start
-    print(f"| {family} | {len(ks)} | {events} | {bad} | {seconds:.1f} |", flush=True)
-    return bad
+    line = f"| {family} | {len(ks)} | {events} | {bad} | {process_time() - start:.1f} |"
+    print(line, flush=True)
+    return line, bad
 
 
-def main(arguments: list[str] | None = None) -> int:
+def options(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m benchmarks stress", description=__doc__)
     parser.add_argument("--short", action="store_true", help="the part that runs with the tests")
     parser.add_argument("--family", choices=FAMILIES, help="only this one")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--count", type=int, help="so many trials of each family")
     parser.add_argument("--only", type=int, metavar="K", help="only trial K")
-    options = parser.parse_args(arguments)
-    print("| family | trials | events | failed | CPU s |\n|---|---|---|---|---|")
-    bad = 0
-    for name in [options.family] if options.family else FAMILIES:
-        count = options.count or FAMILIES[name][2 if options.short else 1]
-        ks = range(count) if options.only is None else range(options.only, options.only + 1)
-        bad += report(name, ks, options.seed)
-    return 1 if bad else 0
+    parser.add_argument("--write", type=Path, metavar="FILE", help="keep the tables there")
+    return parser.parse_args(arguments)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    chosen = options(arguments)
+    print(HEAD)
+    lines, failed = [HEAD], 0
+    for name in [chosen.family] if chosen.family else FAMILIES:
+        count = chosen.count or FAMILIES[name][2 if chosen.short else 1]
+        first = chosen.only or 0
+        line, bad = report(
+            name, range(first, first + (count if chosen.only is None else 1)), chosen.seed
+        )
+        lines.append(line)
+        failed += bad
+    if not chosen.family:
+        lines += ["", stepping_breaks.table(2 if chosen.short else 40)]
+        print(lines[-1])
+    if chosen.write:
+        from .report import provenance
+
+        text = "\n".join(["# Stress", "", *lines, "", provenance()])
+        chosen.write.write_text(text + "\n", encoding="utf-8")
+    return 1 if failed else 0
