@@ -1,23 +1,46 @@
 """Billiards, exact: balls, walls and laws on a cloth; `docs/tour.py` shows it in a page."""
 
-from . import laws, ledger, scenes, store, tables
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from . import laws
 from .ball import Ball
-from .batch import Outcomes, simulate_many
 from .cloth import Cloth
-from .cue import CueStroke
 from .engine import EventBudgetError, EventDriven
-from .log import Event, Leg, Log, State
-from .recover import Recovered, recover
-from .sensitivity import Sensitivity, sensitivity
+from .log import Contact, Event, Leg, Log, State
 from .shot import Shot
-from .stepping import TimeStepping
 from .trace import trace
 from .wall import Wall
-from .watch import EnergyGainWarning
 from .world import World, simulate
 
+if TYPE_CHECKING:
+    from . import ledger, scenes, store, tables
+    from .batch import Outcomes, simulate_many
+    from .cue import CueStroke
+    from .recovery import Recovered, recover
+    from .slopes import Sensitivity, sensitivity
+    from .stepping import TimeStepping
+    from .watch import EnergyGainWarning
+
+# loaded when first asked for: who only wants a world waits for nothing else
+MODULES = {"ledger", "scenes", "store", "tables"}
+HOMES = {
+    "Outcomes": "batch", "simulate_many": "batch", "CueStroke": "cue", "Recovered": "recovery",
+    "recover": "recovery", "Sensitivity": "slopes", "sensitivity": "slopes",
+    "TimeStepping": "stepping", "EnergyGainWarning": "watch",
+}  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    if name in MODULES:
+        return import_module(f".{name}", __name__)
+    if name in HOMES:
+        return getattr(import_module(f".{HOMES[name]}", __name__), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
 __all__ = [
-    "Ball", "Cloth", "CueStroke", "EnergyGainWarning", "Event", "EventBudgetError",
+    "Ball", "Cloth", "Contact", "CueStroke", "EnergyGainWarning", "Event", "EventBudgetError",
     "EventDriven", "Leg", "Log", "Outcomes", "Recovered", "Sensitivity", "Shot", "State",
     "TimeStepping", "Wall", "World", "laws", "ledger", "recover", "scenes", "sensitivity",
     "simulate", "simulate_many", "store", "tables", "trace",

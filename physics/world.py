@@ -252,6 +252,10 @@ class World:
         reached = self._engine.advance(self, until)
         self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
 
+    def reached(self, now: float) -> None:
+        """For the engine, which must stop early: how far it came, seconds since the epoch."""
+        self._clock.now = now
+
     def copy(self) -> "World":
         """The same world once more, on the same legs, to be continued apart."""
         return self._fork(self.log.copy())

@@ -53,11 +53,11 @@ def scene(world: World) -> Any:
     package: Any = kernel()
     world.plan()
     scene = world.scene
-    mine = package.body.Scene(
-        [record(ball) for ball in scene.balls], [mpmath.inf] * len(scene.meetings),
-        [record(wall) for wall in scene.walls], record(scene.cloth), record(scene.ball_rule),
-        record(scene.cushion_rule), scene.cushion_table, package.body.ties(len(scene.balls)),
-        scene.celled, package.body.no_grid(len(scene.balls)),
+    mine = scene._replace(
+        balls=[record(ball) for ball in scene.balls], meetings=[mpmath.inf] * len(scene.meetings),
+        walls=[record(wall) for wall in scene.walls], cloth=record(scene.cloth),
+        ball_rule=record(scene.ball_rule), cushion_rule=record(scene.cushion_rule),
+        ties=package.body.ties(len(scene.balls)), grid=package.body.no_grid(len(scene.balls)),
     )  # fmt: skip
     package.calendar.plan(mine)
     return mine

@@ -21,7 +21,7 @@ from physics import (
     tables,
 )
 from physics.dual import value
-from physics.sensitivity import ANGLE, SPEED, _Replay
+from physics.slopes import ANGLE, SPEED, _Replay
 
 STEP = "1e-16"  # in 50 digits: truncation and rounding both stay below 1e-20 of the result
 

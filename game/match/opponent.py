@@ -188,4 +188,4 @@ class Opponent:
     def _outcome(self, aim: Aim) -> Verdict:
         self.tried += 1
         after = simulate(self._world, self._turn.cue, aim.shot())
-        return self._rules.verdict(after.log, self._turn)
+        return self._rules.verdict(after.log.contacts(), self._turn)
