@@ -142,13 +142,21 @@ def _name(law: object) -> str:
 def _numbers(what: str, said: Any, kinds: tuple[type, ...]) -> Any:
     """So many finite numbers of these kinds, or ValueError."""
     try:
-        values = tuple(kind(value) for kind, value in zip(kinds, said, strict=True))
+        values = tuple(_number(kind, value) for kind, value in zip(kinds, said, strict=True))
     except (TypeError, ValueError, OverflowError):
         values = ()
     if not values or not all(isfinite(z.real) and isfinite(z.imag) for z in values):
         wanted = ", ".join(kind.__name__ for kind in kinds)
         raise ValueError(f"{what} returned {said!r}; it must be finite numbers ({wanted})")
     return values
+
+
+def _number(kind: type, value: Any) -> Any:
+    """A complex number, or a real one; NumPy's complex numbers without imaginary part are real."""
+    z = complex(value)
+    if isinstance(value, str) or (kind is float and z.imag != 0.0):
+        raise TypeError
+    return z if kind is complex else z.real
 
 
 def _energy(v: complex, roll: complex, side: float) -> float:

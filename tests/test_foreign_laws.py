@@ -6,6 +6,7 @@ import warnings
 from math import inf, nan
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from physics import (
@@ -64,7 +65,7 @@ def test_a_named_law_in_foreign_clothes_gives_the_same_digits(world):
 
 
 NONSENSE = [nan, None, (), (1j, 1j), (nan, 0j, 0.0), (1 + 0j, complex(0, inf), 0.0), ("a", 0, 0),
-            (1.0, 0j, 1j), (1.0, 0j, 0.0, 0.0)]  # fmt: skip
+            (1.0, 0j, 1j), (1.0, 0j, 0.0, 0.0), ("1", 0, 0)]  # fmt: skip
 NONSENSE_OF_PAIRS = [nan, None, (1.0,), (nan, 0j), (1.0, complex(nan, 0)), (1j, 0j), (-1.0, 0j),
                      (0.0, 0j), (1.0, 0j, 0j)]  # fmt: skip
 
@@ -99,6 +100,15 @@ def test_nonsense_from_a_ball_law_is_refused_and_the_step_undone(said):
     world.ball_law = "rough"
     world.run()
     assert world.at_rest
+
+
+def test_a_law_may_answer_in_numpy_numbers():
+    world, same = scenes.carom(), scenes.carom()
+    same.cushion_law = RIGID
+    world.cushion_law = lambda v, roll, side: np.array(RIGID(v, roll, side))
+    world.ball_law = lambda *told: list(np.array(ROUGH(*told)))
+    a, b = (simulate(w, "white", SHOT) for w in (world, same))
+    assert [ball.position for ball in a.balls] == [ball.position for ball in b.balls]
 
 
 def test_a_ball_that_is_let_into_the_wall_is_noticed():
