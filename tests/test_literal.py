@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from physics import Ball, TimeStepping, World, tables
+from physics.literal import per_second
 
 R = tables.THESIS.radius
 DT = 1 / 180
@@ -178,3 +179,39 @@ def test_friction_at_a_wall_is_capped_by_comparing_an_impulse_with_a_speed():
     assert event.after[0].velocity[1] == pytest.approx(vy - 0.5 * vy / 0.25)
     spin = -2.5 * sqrt(21 / 25) * 0.5 * vy / 0.25 / R
     assert event.after[0].spin[2] == pytest.approx(spin)
+
+
+def test_a_contact_pushes_balls_on_by_a_part_of_a_substep():
+    world = table()
+    world.add(rolling("white", (0.9, 0.0), 2.0))
+    world.add(Ball("red", (1.0, 0.01)))
+    world.run(0.2)
+    shares = {"ball": 0.25, "cushion": 0.5}
+    assert {event.kind for event in world.log} == {"ball", "cushion"}
+    for event in world.log:
+        for before, after in zip(event.before, event.after, strict=True):
+            for was, moved, speed in zip(
+                before.position, after.position, after.velocity, strict=True
+            ):
+                assert moved - was == pytest.approx(shares[event.kind] * speed * DT, abs=1e-15)
+
+
+def test_balls_in_one_place_keep_their_velocities():
+    """The program divides by the smallest float instead of by no distance."""
+    world = plane()
+    world.add(Ball("white", (0.0, 0.0), (1.0, 0.0)))
+    world.add(Ball("red", (1.0, 0.0), (1.0, 0.0)))
+    world.run(0.0)
+    white, red = world.scene.balls
+    red.position = white.position
+    world.run(DT)
+    (event,) = world.log
+    assert event.before[0].velocity == event.after[0].velocity
+    assert event.before[1].velocity == event.after[1].velocity
+
+
+def test_a_step_that_is_a_reciprocal_has_that_number_a_second():
+    """1 / (1 / 49) is not 49 in floats, and the program multiplies by 49."""
+    assert 1 / (1 / 49) != 49.0
+    assert per_second(1 / 49) == 49.0
+    assert per_second(0.0059) == 1 / 0.0059

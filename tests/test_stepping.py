@@ -140,6 +140,42 @@ def test_the_log_knows_every_ball_at_every_time(scheme):
             assert complex(x, y) == pytest.approx(complex(*ball.position), abs=2e-6)
 
 
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_a_push_leaves_the_other_balls_on_their_way(scheme):
+    """A new grid costs a smooth step's error; a lost part of a step would be 3 mm."""
+    places = []
+    for push in (False, True):
+        world = World(engine=TimeStepping(0.01, scheme))
+        ball = world.add(Ball("white", at=(0.0, 0.0), velocity=(1.0, 0.0)))
+        other = world.add(Ball("red", at=(0.0, 1.0)))
+        world.run(0.113)
+        if push:
+            other.velocity = (0.0, 1.0)
+        world.run(0.2)
+        places.append(ball.position[0])
+    assert places[1] == pytest.approx(places[0], abs=3e-4)
+
+
+@pytest.mark.parametrize("scheme", RESTING)
+def test_spin_about_the_vertical_fades_as_the_cloth_has_it(scheme):
+    world = World(Cloth(spin_decay=7.0), engine=TimeStepping(DT, scheme))
+    ball = world.add(Ball("white", at=(0.0, 0.0), velocity=(1.0, 0.0), spin=(0.0, 0.0, -30.0)))
+    world.run(1.0)
+    assert ball.spin[2] == pytest.approx(-23.0)
+
+
+@pytest.mark.parametrize("scheme", RESTING)
+def test_a_contact_does_not_move_a_ball(scheme):
+    """Before and after it the log has the very place, also where it leaves out legs."""
+    world = carom(scheme, 1 / 5000)
+    world.run(2.0)
+    hits = [event for event in world.log if event.kind in ("ball", "cushion")]
+    assert len(hits) > 1
+    for event in hits:
+        for before, after in zip(event.before, event.after, strict=True):
+            assert before.position == pytest.approx(after.position, abs=1e-15)
+
+
 def test_an_engine_can_be_changed_while_balls_roll():
     world = carom("euler")
     for scheme in SCHEMES:
