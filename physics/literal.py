@@ -164,7 +164,8 @@ def meet(world: "World", time: float, dt: float, i: int, j: int) -> None:
     b.position += BALL_NUDGE * b.velocity * dt
     leave(world, time, i, wa + (-1 * ta + e * tb), za)
     leave(world, time, j, wb + (-1 * tb + e * ta), zb)
-    note(world, time, PAIR, i, j)
+    if line != 0j:  # balls in one place have no line: nothing has passed between them
+        note(world, time, PAIR, i, j)
 
 
 def come(world: "World", i: int) -> tuple[complex, float]:
