@@ -29,7 +29,8 @@ shot = Shot(3.0, angle=1.0)
 for law in ("rigid", "thesis"):
     world.cushion_law = law
     after = simulate(world, white, shot)  # pure: copies, runs, returns
-    print(f"{law:9} red rests at ({after.balls[1].position[0]:.6f}, {after.balls[1].position[1]:.6f})")
+    x, y = after.balls[1].position
+    print(f"{law:9} red rests at ({x:.6f}, {y:.6f})")
 
 # the thesis's way, in steps of 1/180 s, is half a metre off
 exact = simulate(world, white, shot)

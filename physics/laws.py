@@ -87,10 +87,10 @@ class RigidCushion(_CushionLaw):
 
 @dataclass(frozen=True, slots=True)
 class MathavanCushion(_CushionLaw):
-    """Mathavan, Jackson and Parkin (2010): friction at the nose and at the cloth, all through the hit.
+    """Mathavan, Jackson and Parkin (2010): friction at nose and cloth, all through the hit.
 
-    Restitution e, friction mu at the cushion and `slide` at the cloth, nose = h/R. ValueError also for
-    coefficients at which the ball would jam between nose and cloth.
+    Restitution e, friction mu at the cushion and `slide` at the cloth, nose = h/R. ValueError also
+    for coefficients at which the ball would jam between nose and cloth.
     """
 
     e: float = 0.901

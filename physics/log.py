@@ -240,6 +240,8 @@ class Log(Sequence[Event]):
 
     def _leg(self, i: int, time: float) -> Leg:
         legs = self._legs[i]
+        if not legs:
+            raise ValueError(f"nothing is known of ball {self.names[i]!r} before the world runs")
         k = bisect_right(legs, time, key=lambda leg: leg[0] + leg[1]) - 1
         leg = Leg(*legs[max(k, 0)])
         return leg.after(max(0.0, time - leg.epoch - leg.since))

@@ -37,10 +37,8 @@ def build(case):
         EventDriven(vmin=1e-4),
     )
     if case["walls"]:
-        for name, a, b, d in (
-            ("west", 1, 0, 1.224), ("east", -1, 0, 1.224), ("south", 0, 1, 0.635), ("north", 0, -1, 0.635)
-        ):  # fmt: skip
-            world.add(Wall.line(a, b, d, name))
+        for name, a, b in (("west", 1, 0), ("east", -1, 0), ("south", 0, 1), ("north", 0, -1)):
+            world.add(Wall.line(a, b, 1.224 if a else 0.635, name))
     for name, state in case["events"][0]["state"].items():
         r, v, w = (numbers(state[key]) for key in "rvw")
         world.add(Ball(name, at=r, velocity=v, spin=w, radius=c["R"], mass=c["m"]))
@@ -50,11 +48,12 @@ def build(case):
 def distance(state: State, expected) -> float:
     """The largest difference of two states of a ball, spin as surface speed."""
     radius = float(DATA["constants"]["R"])
+    position, velocity, spin = (numbers(expected[key]) for key in "rvw")
     pairs = zip(
         (*state.position, *state.velocity, *(radius * w for w in state.spin)),
-        (*numbers(expected["r"]), *numbers(expected["v"]), *(radius * w for w in numbers(expected["w"]))),
+        (*position, *velocity, *(radius * w for w in spin)),
         strict=True,
-    )  # fmt: skip
+    )
     return max(abs(a - b) for a, b in pairs)
 
 

@@ -138,7 +138,7 @@ def no_grid(balls: int) -> Grid:
 
 
 def grid(spots: Sequence[complex], radius: float) -> Grid:
-    """Cells over the spots of balls of at most that radius: no smaller than a ball, a ball in each."""
+    """Cells over the spots of balls up to that radius: not smaller than a ball, a ball in each."""
     n = len(spots)
     west, south = min(p.real for p in spots), min(p.imag for p in spots)
     length, width = max(p.real for p in spots) - west, max(p.imag for p in spots) - south

@@ -175,7 +175,7 @@ def happen(i, scene):
 
 @kernel
 def release(ball, walls, parting):
-    """A ball that rattles between walls nearer than rounding can tell rolls out, along their bisector.
+    """A ball that rattles between walls too near to tell apart rolls out, along their bisector.
 
     Between two walls that face each other there is no way out: it rolls on along them.
     """

@@ -1,9 +1,9 @@
 """Many balls: who is near, by cells of a grid, and whose event is next, by a tournament.
 
-Every ball is listed in the cell that its centre is in; it can only touch balls of that cell and of the
-eight around. Leaving the cell is an event of the calendar, not of physics: the leg goes on. The outer
-cells have no outer edge. Who has a new leg tells nobody: an event that was foreseen with an older leg
-is void, which shows when it is due.
+Every ball is listed in the cell that its centre is in; it can only touch balls of that cell and of
+the eight around. Leaving the cell is an event of the calendar, not of physics: the leg goes on.
+The outer cells have no outer edge. Who has a new leg tells nobody: an event that was foreseen with
+an older leg is void, which shows when it is due.
 """
 
 from .contact import first_fall, meeting
@@ -62,7 +62,7 @@ def enter(i, column, row, grid):
 
 @kernel
 def cell_of(x, low, size, cells):
-    """The number of the cell along one axis; what lies beyond the edge belongs to the outer cells."""
+    """The number of the cell along one axis; the outer cells have no outer edge."""
     if x <= low:
         return 0
     cell = (x - low) / size
@@ -140,7 +140,7 @@ def rank(i, balls, grid):
 
 @kernel
 def sooner(when, i, ball):
-    """Would the ball meet ball i before whom it expects?  Of two at once the lower number is first."""
+    """Would the ball meet ball i before whom it expects?  Of two at once the lower number wins."""
     return when < ball.meets or (when == ball.meets and i < ball.partner)
 
 
