@@ -64,6 +64,7 @@ class Game:
         self._previewed: tuple[object, Preview | None] = (None, None)
         self._forecast: tuple[object, Story] = (None, NO_STORY)
         self._counts: tuple[object, tuple[int, int]] = (None, (0, 0))
+        self._changed()
         self.moving = self._moves()
         if self.moving:
             self._take_over_launch()
@@ -129,7 +130,7 @@ class Game:
         self.world.log.clear()
         self.began = self.world.time
         self.world.strike(self.cue, shot)
-        self.stamp += 1
+        self._changed()
         self.aim.spent()
         self.shots += 1
         self.moving = self.shown_shot = True
@@ -243,6 +244,11 @@ class Game:
         if not self._moves():
             self._rest()
 
+    def _changed(self) -> None:
+        """Somebody has put or pushed balls: let the world plan, so that its log knows of it."""
+        self.stamp += 1
+        self.world.step(0.0)
+
     def _rest(self) -> None:
         """All balls lie still: an entry begun meanwhile comes on show."""
         self.moving = False
@@ -304,7 +310,7 @@ class Game:
         for ball, state in zip(self.world.balls, states, strict=True):
             ball.position, ball.velocity, ball.spin = state
         self.world.log.clear()
-        self.stamp += 1
+        self._changed()
         self.began = self.world.time
         self.moving = self.shown_shot = self._moves()
         self._read()

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from cmath import phase
 from dataclasses import dataclass
-from math import degrees
+from math import ceil, degrees, sqrt
 
 from physics import Event, EventBudgetError, Leg, Log, Shot, World, simulate
 
 Place = tuple[float, float]
 
-CURVE = 12
-"""Points on a curved leg: the chord of the longest slide stays within a pixel of the arc at 4K."""
+CHORD = 0.00025
+"""Metres by which a drawn curve may be off: a quarter of a pixel at 4K."""
 MOST_CUSHIONS = 6
 """Cushions after which a previewed path ends: nobody plans for more."""
 SAME = 0.02
@@ -180,8 +180,9 @@ def _pace(leg: Leg, a: float, b: float) -> float:
 def _points(leg: Leg, a: float, b: float) -> list[Place]:
     """A leg as points; a straight one is its two ends."""
     v, g = leg.velocity, leg.acceleration
-    bend = abs((v.conjugate() * g).imag)
-    steps = CURVE if bend > 1e-9 * abs(v) * abs(g) else 1
+    bent = abs((v.conjugate() * g).imag) > 1e-9 * abs(v) * abs(g)
+    # over a time h the parabola is |g| h² / 8 away from its chord
+    steps = ceil((b - a) * sqrt(abs(g) / (8 * CHORD))) if bent else 1
     spots = (_place(leg, a + (b - a) * k / steps) for k in range(steps + 1))
     return [(p.real, p.imag) for p in spots]
 

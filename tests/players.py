@@ -79,3 +79,12 @@ def places(game: Game) -> list[tuple[float, float]]:
 def pixels(app: App) -> bytes:
     """The whole picture."""
     return pygame.image.tobytes(app.screen, "RGB")
+
+
+def assert_same_as_anew(app: App) -> None:
+    """What is on the screen is what a full redraw gives, pixel for pixel."""
+    app.render()
+    partly = pixels(app)
+    app.view.expose()
+    app.view.draw(app.screen)
+    assert pixels(app) == partly

@@ -6,7 +6,7 @@ import sys
 
 import pygame
 import pytest
-from players import FRAME, an_app, click, places, press, run_to_rest, write
+from players import FRAME, an_app, assert_same_as_anew, click, places, press, run_to_rest, write
 
 from game import __main__ as entry
 from game.actions import Action
@@ -172,9 +172,12 @@ KEYS = [
 ]  # fmt: skip
 
 
-def test_a_thousand_random_events_neither_crash_nor_hang_the_game():
-    rng, app = random.Random(5), an_app(size=(640, 360))
-    for _ in range(1000):
+@pytest.mark.parametrize(("seed", "scene"), [(4, None), (2, "thesis_3a"), (5, "single")])
+def test_random_events_neither_crash_the_game_nor_spoil_the_picture(seed, scene):
+    rng, app = random.Random(seed), an_app(size=(640, 360), scene=scene)
+    for k in range(400):
+        if k % 20 == 0:
+            assert_same_as_anew(app)
         match rng.randrange(5):
             case 0 | 1:
                 press(app, rng.choice(KEYS))

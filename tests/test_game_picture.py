@@ -1,26 +1,31 @@
 """The picture: what is redrawn in part equals what is drawn anew, in every state and language."""
 
+from itertools import pairwise
+
 import pygame
 import pytest
-from players import FRAME, an_app, click, enter, pixels, press, run_to_rest, write
+from players import (
+    FRAME,
+    an_app,
+    assert_same_as_anew,
+    click,
+    enter,
+    pixels,
+    press,
+    run_to_rest,
+    write,
+)
 
 import assets
 from game.aim import BOXES
+from game.preview import path
 from game.render.cards import LOG_HEAD
 from game.render.fields import hint_room
 from game.render.layout import Layout
 from game.render.text import Type
 from game.text import LANGUAGES, words
 from game.ui import help as page
-
-
-def assert_same_as_anew(app):
-    """What is on the screen is what a full redraw gives, pixel for pixel."""
-    app.render()
-    partly = pixels(app)
-    app.view.expose()
-    app.view.draw(app.screen)
-    assert pixels(app) == partly
+from physics import scenes
 
 
 def test_a_rolling_ball_leaves_no_trace_of_itself_in_the_picture():
@@ -180,3 +185,23 @@ def test_a_long_text_keeps_its_caret_in_the_box():
     press(app, "right")
     write(app, "-1234567890.12345")
     assert_same_as_anew(app)
+
+
+def test_a_small_window_is_the_same_drawn_in_part_and_anew():
+    app = an_app(size=(640, 360))
+    for key in ("f2", "left", "tab", "escape", "ctrl+return", "p", "f2", "p", "end", "f2"):
+        press(app, key)
+        assert_same_as_anew(app)
+
+
+def test_a_drawn_curve_is_nowhere_a_quarter_of_a_millimetre_off():
+    world = scenes.thesis_1()
+    world.run()
+    leg = world.log.legs("white")[0]
+    end = world.log.legs("white")[1].time
+    points = path(world.log, "white", 0.0, end)
+    assert len(points) > 20
+    step = end / (len(points) - 1)
+    for k, (p, q) in enumerate(pairwise(points)):
+        middle = leg.after((k + 0.5) * step).position
+        assert abs(middle - (complex(*p) + complex(*q)) / 2) <= 0.00025

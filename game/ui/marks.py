@@ -29,7 +29,7 @@ def key(game: Game) -> object:
     if aiming(game):
         return "aim", game.preview_key
     if game.shown_shot:
-        return "shot", game.shots, game.began, len(game.world.log), game.moving
+        return "shot", game.stamp, len(game.world.log), game.moving
     return None
 
 
@@ -155,7 +155,9 @@ def _traces(
 ) -> Rects:
     """Draw where the balls have run up to the last event."""
     log, s = game.world.log, layout.s
-    now = log[-1].time if len(log) else game.began
+    now = game.world.time
+    if game.moving:
+        now = log[-1].time if len(log) else game.began
     rects: Rects = []
     for name in game.traced:
         look = looks[_index(game, name)]

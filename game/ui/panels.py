@@ -302,7 +302,7 @@ def shot_parts(layout: Layout) -> list[Part]:
     head = layout.score[0].union(layout.score[2])
     return [
         Part("head", head, _head_look, _head_draw),
-        Part("lanes", layout.timeline, _lanes_look, _lanes_draw, _lanes_touch),
+        Part("lanes", layout.timeline, _lanes_look, _lanes_draw, _lanes_touch, spill=7),
         Part("tip", layout.tip, _tip_key, _tip_draw, _tip_touch, drags=True, mode="aim"),
         Part("power", layout.power, _power_key, _power_draw, _power_touch, drags=True, mode="aim"),
         Part("thickness", layout.thickness, _thickness_key, _thickness_draw, mode="aim"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import pygame
 
@@ -51,7 +51,7 @@ class Part:
 
     key: what its picture depends on; draw: paints it and returns what it touched; touch: what a
     press of the mouse there means; `drags` parts are touched again while the mouse moves; `mode`:
-    shown in this column only.
+    shown in this column only; `spill`: px at s = 1 by which the picture may stand out.
     """
 
     name: str
@@ -60,7 +60,8 @@ class Part:
     draw: Draw
     touch: Touch = _no_touch
     drags: bool = False
-    mode: str = field(default="")
+    mode: str = ""
+    spill: int = 0
 
 
 def number(value: float, places: int = 2) -> str:
@@ -88,7 +89,7 @@ def box_part(index: int, rect: pygame.Rect) -> Part:
     def touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
         return Action("edit", index)
 
-    return Part(f"box {index}", rect, key, draw, touch)
+    return Part(f"box {index}", rect, key, draw, touch, spill=4)
 
 
 def _box_look(index: int, sight: Sight) -> tuple[str, str, int | None, bool]:

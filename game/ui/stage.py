@@ -78,7 +78,7 @@ class Stage:
         """Redraw what lies under the balls if it is not what it was."""
         key = marks.key(game)
         if key == self._under:
-            grown = self.trail.draw(self.lines, self.layout, self.looks)
+            grown = self.trail.draw(self.lines, self.layout, game, self.looks)
             self._marked += grown
             return grown
         self._under = key
@@ -88,7 +88,7 @@ class Stage:
         self.lines.set_clip(self.layout.table)
         self._marked = marks.draw(self.lines, self.layout, game, self.looks)
         self.lines.set_clip(None)
-        self._marked += self.trail.draw(self.lines, self.layout, self.looks)
+        self._marked += self.trail.draw(self.lines, self.layout, game, self.looks)
         return old + self._marked
 
     def _moved(self, places: list[tuple[int, Place]]) -> list[pygame.Rect]:

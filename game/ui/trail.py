@@ -26,24 +26,29 @@ class Trail:
 
     def grow(self, game: Game) -> None:
         """Take in where the balls are now."""
-        since = (game.shots, game.began, len(game.world.log))
-        if since != self._since:
-            self._since, self._drawn = since, {}
-            self._points = {i: [at] for i, at in _last_places(game).items()}
+        self._follow(game)
         for i, points in self._points.items():
             ball = game.world.balls[i]
             at = ball.position
             if hypot(at[0] - points[-1][0], at[1] - points[-1][1]) >= STEP:
                 points.append(at)
 
+    def _follow(self, game: Game) -> None:
+        """Begin anew after an event, a shot or a stop."""
+        since = (game.stamp, len(game.world.log), game.shown_shot and game.moving)
+        if since != self._since:
+            self._since, self._drawn = since, {}
+            self._points = {i: [at] for i, at in _last_places(game).items()}
+
     def undrawn(self) -> None:
         """Forget what has been drawn: the surface is new."""
         self._drawn = {}
 
     def draw(
-        self, surface: pygame.Surface, layout: Layout, looks: Sequence[BallLook]
+        self, surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook]
     ) -> list[pygame.Rect]:
         """Draw what has grown since the last time; returns the rectangles that changed."""
+        self._follow(game)
         dirty = []
         for i, points in self._points.items():
             for k in range(self._drawn.get(i, 1), len(points)):

@@ -87,9 +87,12 @@ class View:
             key = self.game.language, part.key(self.sight)
             if part.name not in self._drawn or self._drawn[part.name] != key:
                 self._drawn[part.name] = key
+                spill = 2 * round(part.spill * self.sight.layout.s)
+                surface.set_clip(part.rect.inflate(spill, spill))
                 rect = part.draw(surface, part.rect, self.sight)
                 if rect.w and rect.h:
                     dirty.append(rect)
+        surface.set_clip(None)
         return dirty
 
     def _switch(self, surface: pygame.Surface) -> list[pygame.Rect]:
