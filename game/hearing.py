@@ -1,0 +1,94 @@
+"""What is to be heard of a frame: the loudest few of its events, and how the balls roll."""
+
+from __future__ import annotations
+
+from math import hypot
+from typing import NamedTuple
+
+from physics import Ball, Event, World
+
+from .synth import level
+
+LOUDEST = 4
+"""Sounds that begin in one frame: more are one noise."""
+LOOKED_AT = 8
+"""Events of one frame that are looked at, at some 15 µs each."""
+JUMP = 1.0
+"""Seconds of a shot in one frame that are a leap over it, which is silent."""
+FULL = {"click": 1.2, "thud": 1.6, "stroke": 1.6}
+"""Impulses that are as loud as it gets, N s: a full hit, a cushion and a stroke at 6 to 8 m/s."""
+LOUDNESS = 0.6
+"""Power of the impulse that the gain follows, so that a touch is heard beside a break."""
+FAINTEST = 0.03
+ROLLING = 0.10
+"""Gain of balls that roll with ROLLS_FULL m/s together."""
+ROLLS_FULL = 8.0
+
+
+class Sound(NamedTuple):
+    """A sound to begin: "click" "thud" or "stroke", level in the bank, gain 0..1, pan -1..1."""
+
+    kind: str
+    level: int
+    gain: float
+    pan: float
+
+
+class Heard(NamedTuple):
+    """A frame: the sounds that begin, loudest first, and how loud the rolling is, 0..1."""
+
+    sounds: tuple[Sound, ...]
+    rolling: float
+
+
+SILENCE = Heard((), 0.0)
+
+
+class Ear:
+    """Follows a world and tells what is new."""
+
+    def __init__(self, half: float) -> None:
+        self.half = half
+        """Half the table's length, m: where a sound is fully left or right."""
+        self._shot: object = None
+        self._time, self._seen = 0.0, 0
+
+    def listen(self, world: World, shot: object, struck: tuple[Ball, float] | None = None) -> Heard:
+        """Return what is to be heard since the last time.
+
+        `shot` is equal while the same shot runs; `struck`: the ball that the cue has met since the
+        last time, and the speed it got, m/s. A world that went back in time, and a leap of more
+        than JUMP seconds, are silent.
+        """
+        passed, count = world.time - self._time, len(world.log)
+        first = 0 if shot != self._shot else min(self._seen, count)
+        self._shot, self._time, self._seen = shot, world.time, count
+        if not 0.0 <= passed <= JUMP:
+            return SILENCE
+        found = [_of_event(e, self.half) for e in world.log[first : min(count, first + LOOKED_AT)]]
+        if struck is not None:
+            found.append(_stroke(*struck, self.half))
+        heard = sorted((s for s in found if s and s.gain >= FAINTEST), key=lambda s: -s.gain)
+        return Heard(tuple(heard[:LOUDEST]), _rolling(world) if passed else 0.0)
+
+
+def _stroke(ball: Ball, speed: float, half: float) -> Sound:
+    return _sound("stroke", speed, ball.mass * speed, ball.position[0], half)
+
+
+def _of_event(event: Event, half: float) -> Sound | None:
+    if event.kind == "ball":
+        return _sound("click", event.closing, event.impulse, event.point[0], half)
+    if event.kind == "cushion":
+        return _sound("thud", event.closing, event.impulse, event.point[0], half)
+    return None
+
+
+def _sound(kind: str, speed: float, impulse: float, x: float, half: float) -> Sound:
+    gain = min(1.0, abs(impulse) / FULL[kind]) ** LOUDNESS
+    return Sound(kind, level(abs(speed)), gain, max(-1.0, min(1.0, x / half)))
+
+
+def _rolling(world: World) -> float:
+    speed = sum(hypot(*ball.velocity) for ball in world.balls)
+    return ROLLING * min(1.0, speed / ROLLS_FULL)
