@@ -322,7 +322,8 @@ class Game:
         wx, wy, wz = ball.spin
         self.readout = hypot(*ball.velocity), hypot(wx, wy, wz) * ball.radius, abs(wz) * ball.radius
         log = self.world.log
-        now = self.world.time if self.moving or not len(log) else log[-1].time
+        rested = not self.moving and len(log) and log[-1].kind == "rest"
+        now = log[-1].time if rested else self.world.time
         self.readout_time = now - self.began if self.shown_shot else 0.0
 
     def _take_over_launch(self) -> None:

@@ -132,7 +132,8 @@ def story(log: Log, since: float, now: float) -> Story:
             paths[name] = path(log, name, since, now)
         legs = tuple((a - since, b - since, _pace(leg, a, b)) for leg, a, b in moved)
         lanes.append(Lane(name, legs))
-    return Story(paths, tuple(lanes), events, max((e.time for e in events), default=0.0))
+    ends = [e.time for e in events] + [lane.legs[-1][1] for lane in lanes if lane.legs]
+    return Story(paths, tuple(lanes), events, max(ends, default=0.0))
 
 
 NO_STORY = Story({}, (), (), 0.0)

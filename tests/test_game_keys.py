@@ -147,6 +147,9 @@ def test_space_stops_all_balls_where_they_are(app):
     app.frame(FRAME)
     assert not app.game.moving
     assert places(app.game) == before
+    told = app.game.forecast
+    assert told.duration == pytest.approx(app.game.readout_time, abs=1e-12)
+    assert all(end <= told.duration for lane in told.lanes for _, end, _ in lane.legs)
 
 
 def test_a_shot_while_balls_move_gives_the_cue_ball_a_new_way(app):
