@@ -14,10 +14,10 @@ def dump(world: World, why: str, holds: dict[str, Any], until: float | None = No
         "why": why,
         "until": until,
         "holds": holds,
-        "cloth": asdict(world.cloth),
-        "engine": asdict(world.engine),
-        "ball_law": [type(world.ball_law).__name__, asdict(world.ball_law)],
-        "cushion_law": [type(world.cushion_law).__name__, asdict(world.cushion_law)],
+        "cloth": _numbers(world.cloth),
+        "engine": _numbers(world.engine),
+        "ball_law": [type(world.ball_law).__name__, _numbers(world.ball_law)],
+        "cushion_law": [type(world.cushion_law).__name__, _numbers(world.cushion_law)],
         "walls": [
             {
                 "name": wall.name,
@@ -35,6 +35,10 @@ def dump(world: World, why: str, holds: dict[str, Any], until: float | None = No
         ],
     }  # fmt: skip
     return json.dumps(case, indent=1) + "\n"
+
+
+def _numbers(record: Any) -> dict[str, Any]:
+    return asdict(record)
 
 
 def _hex(numbers: tuple[float, ...]) -> list[str]:

@@ -4,7 +4,7 @@ from cmath import rect
 from math import inf, pi
 from random import Random
 
-from physics import Ball, Cloth, Shot, World, laws, scenes
+from physics import Ball, Cloth, EventDriven, Shot, World, laws, scenes
 
 from .trials import RADIUS, Fault, Trial, box, engine, push, scatter, world_of
 
@@ -138,7 +138,7 @@ def drift(k: int, dice: Random) -> Trial:
     steps, dt = STEPS[k % 2], 1e-3 if k % 2 else 1e-2
 
     def drive(world: World) -> None:
-        world.engine = type(world.engine)(vmin=0.0, budget=10**7)
+        world.engine = EventDriven(vmin=0.0, budget=10**7)
         for n in range(steps):
             world.step(dt)
             if n % 1000 == 0:

@@ -173,7 +173,7 @@ def _jump_faults(world: World, parts: list[Legs], times: Any, epoch: float) -> l
     before, after = (_states(parts, radius, fade, times, side) for side in ("left", "right"))
     step = np.abs(after[0] - before[0]).max(axis=1)
     whole = energy(mass, *before[1:])
-    scale = (mass * (np.abs(before[1]) + np.abs(after[1]) + 1e-3)).sum(axis=1)
+    scale = (mass * (np.abs(before[1]) + np.abs(after[1]) + 1.0)).sum(axis=1)
     gain = energy(mass, *after[1:]) - whole - ROUNDING * (whole + scale)
     drift = np.abs((mass * (after[1] - before[1])).sum(axis=1)) / scale
     twist = np.abs(_turn(mass, radius, after) - _turn(mass, radius, before)) / scale
@@ -274,7 +274,7 @@ def _weight(world: World, event: Event) -> float:
     """Energy and momentum, in plain numbers: slip below 1e-12 m/s counts as none, which rounds
     both.
     """
-    size = 0.0
+    size = event.impulse  # a cluster shares its loss among its contacts
     for name, state in zip(event.balls, event.before, strict=True):
         ball = world.ball(name)
         speed = hypot(*state.velocity) + hypot(*state.spin) * ball.radius

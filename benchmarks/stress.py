@@ -55,7 +55,8 @@ def main(arguments: list[str] | None = None) -> int:
     print(HEAD)
     lines, failed = [HEAD], 0
     for name in [chosen.family] if chosen.family else FAMILIES:
-        count = chosen.count or FAMILIES[name][2 if chosen.short else 1]
+        _, long, short = FAMILIES[name]
+        count = chosen.count or (short if chosen.short else long)
         first = chosen.only or 0
         line, bad = report(
             name, range(first, first + (count if chosen.only is None else 1)), chosen.seed

@@ -185,13 +185,14 @@ def release(ball, walls, parting):
         if (wall.inward * ball.position).real - wall.offset - ball.radius < TOUCHING:
             out, inward = out + wall.normal, wall.inward
     size = length(out)
-    if size > TOUCHING:
-        out = 1.0 / size * out
-        speed = max(0.0, (out.conjugate() * ball.velocity).real) + parting
-    else:
-        out = 1j * inward.conjugate()
-        speed = (out.conjugate() * ball.velocity).real
-    ball.velocity = ball.roll = speed * out
+    faces = size < TOUCHING
+    out = 1j * inward.conjugate() if faces else 1.0 / size * out
+    speed = (out.conjugate() * ball.velocity).real
+    turning = (out.conjugate() * ball.roll).real
+    if not faces:  # and no energy beyond what the floor may give
+        speed = max(speed, parting)
+        turning = min(max(turning, 0.0), speed)
+    ball.velocity, ball.roll = speed * out, turning * out
     ball.side = 0.0
     ball.trapped = 0
 
