@@ -18,7 +18,7 @@ OVERLAP = 1e-12  # m
 ROUNDING = 1e-12  # of the total energy or momentum
 TOUCHING = 1e-8  # m: contacts of a cluster may be this far apart, and so act off their line
 RECENT = 30  # events
-BLOWS = 4  # of a contact within one event of a cluster, that the floor may have lifted
+BLOWS = 16  # of a contact within one event of a cluster, that the floor may have lifted
 CREATIVE = (laws.ThesisCushion, laws.CappedCushion)  # push as if the ball rolled: make energy
 
 
@@ -65,8 +65,8 @@ class Legs(NamedTuple):
 
 def _table(legs: list[Any]) -> Legs:
     rows = np.array([leg[:7] for leg in legs], complex).reshape(-1, 7)
-    epoch, since, *middle, side = rows.T
-    return Legs(epoch.real, since.real, *middle, side.real)
+    epoch, since, place, velocity, acceleration, roll, side = rows.T
+    return Legs(epoch.real, since.real, place, velocity, acceleration, roll, side.real)
 
 
 def _epoch_faults(world: World, legs: list[Legs], epoch: float, pushed: bool) -> list[str]:
@@ -255,7 +255,8 @@ def _turn(mass: Any, radius: Any, state: list[Any]) -> Any:
 
 
 def _event_faults(world: World, events: Iterable[Event]) -> list[str]:
-    """What is wrong with what events say of themselves."""
+    """What is wrong with what events say of themselves; a cluster shares its loss among them."""
+    heaviest = max((ball.mass for ball in world.balls), default=0.0)
     found, last = [], -inf
     for event in events:
         if event.time < last:
@@ -263,7 +264,7 @@ def _event_faults(world: World, events: Iterable[Event]) -> list[str]:
         last = event.time
         if not all(map(isfinite, (event.time, event.closing, event.impulse, event.energy_lost))):
             found.append(f"an event is not finite: {event}")
-        bound = BLOWS * 0.5 * _lightest(world, event) * world.engine.vmin**2
+        bound = BLOWS * 0.5 * heaviest * world.engine.vmin**2
         made = -event.energy_lost - bound - ROUNDING * _weight(world, event)
         if made > 0.0 and not _creates(world, {event.kind}):
             found.append(f"an event makes {-event.energy_lost:.3e} J at t = {event.time}")
