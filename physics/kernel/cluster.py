@@ -21,6 +21,7 @@ from .motion import carry, length, place
 from .subset import complex, kernel
 
 TOUCHING = 1e-8  # m: balls closer than this are in contact
+NOISE = 1e-11  # m/s: what closes more slowly within a cluster does so by rounding
 TIED = 1e-9  # closing speeds that agree to this are equal
 SWEEPS = 2000  # of the simultaneous solution: a tight rack needs a few dozen
 AGREES = 1e-15  # of the greatest speed: what a sweep may still change
@@ -113,13 +114,15 @@ def collide(contacts, balls, rule, ties):
     """Blow after blow until no contact closes; the pushes add up in ties.total."""
     for c in range(contacts):
         ties.total[c] = 0.0
-    if choose(contacts, balls, ties) == 0:  # it only grazed, and rounding hides that it closes
-        ties.total[0] = hit_ball(balls[ties.first[0]], balls[ties.second[0]], rule)
+    a, b = balls[ties.first[0]], balls[ties.second[0]]
+    if closing_speed(a, b) < NOISE:  # it grazed, or something drives it
+        ties.total[0] = hit_ball(a, b, rule)
     for _ in range(ROUNDS * contacts):
         chosen = choose(contacts, balls, ties)
         if chosen == 0:
             return
-        if chosen == 1 or rule.kind == THESIS_BALL or rule.kind == FOREIGN_BALL:
+        alone = chosen == 1 and ties.target[ties.chosen[0]] >= NOISE
+        if alone or rule.kind == THESIS_BALL or rule.kind == FOREIGN_BALL:
             for k in range(chosen):
                 c = ties.chosen[k]
                 ties.total[c] += hit_ball(balls[ties.first[c]], balls[ties.second[c]], rule)
@@ -136,7 +139,8 @@ def together(chosen, balls, rule, ties):
         a, b = balls[ties.first[c]], balls[ties.second[c]]
         closing = ties.target[c]
         fastest = max(fastest, length(a.velocity), length(b.velocity))
-        ties.target[c] = rebound(closing, rule) - closing
+        # what closes by rounding alone, as in a chain that passed a blow on, is not thrown apart
+        ties.target[c] = rebound(closing, rule) - closing if closing >= NOISE else 2.0 * closing
         ties.grip[c] = grip(slip_between(a, b, toward(a, b)), rule)
         ties.push[c] = 0.0
         ties.rub[c] = 0j

@@ -10,20 +10,14 @@ from .motion import length
 from .subset import complex, exp, foreign_ball, foreign_cushion, kernel
 
 RIGID_CUSHION, THESIS_CUSHION, CAPPED_CUSHION, MATHAVAN_CUSHION, FOREIGN_CUSHION = 0, 1, 2, 3, 4
-NOISE = 1e-11  # m/s: what closes more slowly does so by rounding
 SMOOTH_BALL, ROUGH_BALL, ALCIATORE_BALL, FOREIGN_BALL, THESIS_BALL = 0, 1, 2, 3, 4
 
 
 @kernel
 def rebound(closing, rule):
-    """The change of the normal velocity: whatever touches parts, or contacts would never end.
-
-    But what closes by rounding alone, in a chain that touches, must not be thrown apart.
-    """
+    """The change of the normal velocity: whatever touches parts, or contacts would never end."""
     parting = rule.restitution * closing
-    if parting < rule.parting:
-        parting = 2.0 * closing if 0.0 < closing < NOISE else rule.parting
-    return closing + parting
+    return closing + (parting if parting > rule.parting else rule.parting)
 
 
 @kernel
