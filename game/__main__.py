@@ -102,16 +102,18 @@ def _play(options: Options) -> int:
 
 def new_game(options: Options) -> Game:
     """The game that the options ask for."""
-    from . import setup
+    from . import choices, setup
     from .play import Game
 
     world = setup.scene_world(options.scene) if options.scene else setup.table_world(options.table)
     game = Game(world, options.substeps, options.seed, options.scene or options.table)
     game.language = options.lang
     if options.law:
-        game.choose_law(options.law)
+        choices.law(game, options.law)
+    if options.cloth != "table":
+        choices.cloth(game, options.cloth)
     if options.engine != "exact":
-        game.choose_engine(options.engine)
+        choices.engine(game, options.engine)
     return game
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import pygame
@@ -13,14 +14,19 @@ class Action(NamedTuple):
     """One thing the player wants; `value` is its argument, if it has one.
 
     edit BOX · clear · type TEXT · erase · enter · leave · shoot · fire · place · stop · retry ·
-    pause · frame · skip · engine · law · language · help · set "BOX NUMBER ..." · quit
+    pause · frame · skip · help · settings · set "BOX NUMBER ..." · quit ·
+    engine KEY · law KEY · cloth KEY · table KEY · language KEY (no key: the next one)
     """
 
     name: str
     value: str | int | None = None
 
 
-ALWAYS = {pygame.K_F1: Action("help"), pygame.K_F2: Action("language")}
+ALWAYS = {
+    pygame.K_F1: Action("help"),
+    pygame.K_F2: Action("language"),
+    pygame.K_F3: Action("settings"),
+}
 PLAY = {
     pygame.K_LEFT: Action("edit", 0),
     pygame.K_RIGHT: Action("clear"),
@@ -34,6 +40,8 @@ PLAY = {
     pygame.K_e: Action("engine"),
     pygame.K_l: Action("law"),
     pygame.K_r: Action("retry"),
+    pygame.K_a: Action("aids"),
+    pygame.K_m: Action("mute"),
     pygame.K_END: Action("skip"),
 }
 EDITING = {
@@ -44,14 +52,21 @@ EDITING = {
 }
 
 
-def of_key(event: pygame.event.Event, box: int | None, texts: bool) -> Action | None:
+def of_key(
+    event: pygame.event.Event,
+    box: int | None,
+    texts: bool,
+    play: Mapping[int, Action] = PLAY,
+    always: Mapping[int, Action] = ALWAYS,
+) -> Action | None:
     """Return what a KEYDOWN means while `box` is edited, or in play (None).
 
-    `texts` says that a TEXTINPUT follows for each character: then the key itself is none.
+    `texts` says that a TEXTINPUT follows for each character: then the key itself is none. `play`
+    and `always` are the tables of keys in use.
     """
     key, mod = event.key, getattr(event, "mod", 0)
-    if key in ALWAYS:
-        return ALWAYS[key]
+    if key in always:
+        return always[key]
     if key in (pygame.K_RETURN, pygame.K_KP_ENTER) and mod & pygame.KMOD_CTRL:
         return Action("fire")
     if mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
@@ -61,7 +76,7 @@ def of_key(event: pygame.event.Event, box: int | None, texts: bool) -> Action | 
     text = "" if texts else getattr(event, "unicode", "")
     if box is not None:
         return EDITING.get(key) or _characters(text)
-    return PLAY.get(key) or _first_character(text)
+    return play.get(key) or _first_character(text)
 
 
 def of_text(event: pygame.event.Event, box: int | None) -> Action | None:

@@ -10,8 +10,10 @@ import pygame
 
 from .actions import Action, of_key, of_text
 from .clock import RealClock, VirtualClock, seconds
+from .hearing import Ear
 from .options import Options
-from .play import Game
+from .play import Game, Notice
+from .preferences import Preferences
 from .script import Script
 from .setup import size as table_size
 from .ui.view import View
@@ -19,6 +21,7 @@ from .ui.view import View
 TITLE = "danggu"
 WM_CLASS = "billiards"
 MOUSE = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
+OVERLAID = (pygame.KEYDOWN, pygame.TEXTINPUT, pygame.MOUSEWHEEL, *MOUSE)
 RESIZED = (pygame.VIDEORESIZE, pygame.WINDOWSIZECHANGED)
 EXPOSED = (pygame.VIDEOEXPOSE, pygame.WINDOWEXPOSED)
 
@@ -50,7 +53,13 @@ def prepare_environment() -> None:
 class App:
     """A game in a window."""
 
-    def __init__(self, game: Game, options: Options, script: Script | None = None) -> None:
+    def __init__(
+        self,
+        game: Game,
+        options: Options,
+        script: Script | None = None,
+        preferences: Preferences | None = None,
+    ) -> None:
         prepare_environment()
         pygame.display.init()
         pygame.font.init()
@@ -59,11 +68,16 @@ class App:
         self.screen = pygame.display.set_mode(options.size, pygame.RESIZABLE)
         pygame.display.set_caption(TITLE)
         self.stats = Stats()
-        self.view = View(game, self.screen.get_size(), *table_size(game.world))
+        self.preferences = preferences or Preferences()
+        sizes = self.screen.get_size(), *table_size(game.world)
+        self.view = View(game, *sizes, self.preferences)
+        self.ear = Ear(sizes[1] / 2)
+        self._world = game.world
         self.clock = (VirtualClock if options.virtual else RealClock)(options.fps)
         self.actions: list[tuple[int, Action]] = []
         self._shown_version = -1
         self._typing: bool | None = None
+        self._shots = game.shots
         self._texts = False
         """Was text input on when SDL made the events of this frame?"""
         self._sync_typing()
@@ -88,6 +102,8 @@ class App:
             for event in line.events:
                 self.handle(event)
         self.update(end - self.game.tick)
+        if not self.preferences.audio.silent:
+            self._sound()
         return self.render() or self.stats.inputs != before
 
     # -- handle --------------------------------------------------------------------------------
@@ -97,6 +113,8 @@ class App:
         self.stats.inputs += 1
         if event.type == pygame.QUIT:
             self.perform(Action("quit"))
+        elif self.game.sheet and event.type in OVERLAID:
+            self._sheet(event)
         elif event.type == pygame.KEYDOWN:
             self._key(event)
         elif event.type == pygame.TEXTINPUT:
@@ -111,19 +129,53 @@ class App:
 
     def perform(self, action: Action | None) -> None:
         """Do an action and note it with its tick."""
-        if action is not None:
-            self.actions.append((self.game.tick, action))
-            self.game.perform(action)
-            self._sync_typing()
+        if action is None:
+            return
+        if self.preferences.perform(action):
+            self._restyle(action)
+            return
+        self.actions.append((self.game.tick, action))
+        self.game.perform(action)
+        self.preferences.note(action, self.game)
+        if self.game.world is not self._world:
+            self._relay()
+        self._sync_typing()
+        if action.name in ("settings", "quit") and not self.game.sheet:
+            self._save()
+
+    def _restyle(self, action: Action) -> None:
+        """Show what has been chosen for seeing and hearing."""
+        if action.name == "colours":
+            self.view.renew(*table_size(self.game.world))
+        self.view.expose()
+        self._shown_version = -1
+
+    def _relay(self) -> None:
+        """The game has moved to another table."""
+        self._world = self.game.world
+        length, width = table_size(self._world)
+        self.view.renew(length, width)
+        self.ear = Ear(length / 2)
+
+    def _save(self) -> None:
+        if not self.preferences.save():
+            self.game.notice = Notice("settings.unsaved", error=True)
 
     def _key(self, event: pygame.event.Event) -> None:
+        keys = self.preferences.keys
         if self.game.help:
-            if event.key in (pygame.K_F1, pygame.K_ESCAPE, pygame.K_RETURN):
+            always = keys.always.get(event.key)
+            if event.key in (pygame.K_ESCAPE, pygame.K_RETURN) or always == Action("help"):
                 self.perform(Action("help"))
-            elif event.key == pygame.K_F2:
-                self.perform(Action("language"))
+            elif always == Action("language"):
+                self.perform(always)
             return
-        self.perform(of_key(event, self.game.aim.box, self._texts))
+        self.perform(of_key(event, self.game.aim.box, self._texts, keys.play, keys.always))
+
+    def _sheet(self, event: pygame.event.Event) -> None:
+        """Take an event that is meant for the settings sheet."""
+        self._shown_version = -1
+        self.perform(self.view.sheet.handle(event, self.view.sight))
 
     def _text(self, event: pygame.event.Event) -> None:
         if not self.game.help:
@@ -149,11 +201,12 @@ class App:
         if size != self.view.sight.layout.size:
             self.screen = pygame.display.get_surface() or self.screen
             self.view.resize(self.screen.get_size())
+            self.preferences.settings.size = self.screen.get_size()
             self._shown_version = -1
 
     def _sync_typing(self) -> None:
         """Take text only while a box is edited: an input method must not swallow shortcuts."""
-        typing = self.game.aim.box is not None
+        typing = self.game.aim.box is not None and not self.game.sheet
         if typing != self._typing:
             self._typing = typing
             (pygame.key.start_text_input if typing else pygame.key.stop_text_input)()
@@ -166,6 +219,15 @@ class App:
         self.game.advance(ticks)
         if self.game.world.time != time:
             self.view.stage.roll(self.game, self.game.world.time - time)
+
+    def _sound(self) -> None:
+        """Let what has happened since the last frame be heard."""
+        game, audio = self.game, self.preferences.audio
+        struck = None
+        if game.shots != self._shots and game.aim.shot:
+            struck = game.world.ball(game.cue), game.aim.shot.speed
+        self._shots = game.shots
+        audio.play(self.ear.listen(game.world, (game.shots, game.began), struck))
 
     # -- render --------------------------------------------------------------------------------
 

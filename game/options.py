@@ -33,6 +33,13 @@ class Options:
     screenshot: str | None = None
     stats: bool = False
     version: bool = False
+    cloth: str = "table"
+    settings: str | None = None
+    record: str | None = None
+    replay: str | None = None
+    headless: bool = False
+    given: frozenset[str] = frozenset()
+    """The options that the command line has named."""
 
     @property
     def virtual(self) -> bool:
@@ -42,7 +49,8 @@ class Options:
 
 def read(arguments: list[str] | None = None) -> Options:
     """Read the command line; on anything unknown say so on stderr and exit with 2."""
-    return Options(**vars(_parser().parse_args(arguments)))
+    found = vars(_parser().parse_args(arguments))
+    return Options(**found, given=frozenset(found))
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -51,17 +59,19 @@ def _parser() -> argparse.ArgumentParser:
         description="Billiards with exact physics: type V, three spins and an angle, and watch.",
         epilog=FORMAT,
         formatter_class=argparse.RawDescriptionHelpFormatter,
+        argument_default=argparse.SUPPRESS,
     )
     add = parser.add_argument
-    add("--seed", type=int, default=0, metavar="N", help="for placing balls at random")
-    add("--substeps", type=_count(1, 1000), default=6, metavar="N", help="physics calls a frame")
-    add("--table", choices=[*setup.TABLES], default="medium", help="table and its balls")
+    add("--seed", type=int, metavar="N", help="for placing balls at random")
+    add("--substeps", type=_count(1, 1000), metavar="N", help="physics calls a frame (6)")
+    add("--table", choices=[*setup.TABLES], help="table and its balls (medium)")
     add("--scene", choices=[*setup.SCENES], help="begin with a scene of the physics package")
-    add("--engine", choices=[*setup.ENGINES], default="exact", help="exact events, or time steps")
-    add("--law", choices=[*setup.LAWS], help="laws of collision (default: the table's)")
-    add("--lang", choices=[*LANGUAGES], default="en", help="language")
-    add("--size", type=_size, default=(1280, 720), metavar="WxH", help="window, pixels")
-    add("--fps", type=_count(1, 1000), default=60, metavar="N", help="frames a second")
+    add("--cloth", choices=[*setup.CLOTHS], help="condition of the cloth (the table's)")
+    add("--engine", choices=[*setup.ENGINES], help="exact events (exact), or time steps")
+    add("--law", choices=[*setup.LAWS], help="laws of collision (the table's)")
+    add("--lang", choices=[*LANGUAGES], help="language")
+    add("--size", type=_size, metavar="WxH", help="window, pixels (1280x720)")
+    add("--fps", type=_count(1, 1000), metavar="N", help="frames a second (60)")
     add(
         "--frames",
         type=_count(1, 10**9),
@@ -69,6 +79,10 @@ def _parser() -> argparse.ArgumentParser:
         help="stop after N frames; time is then counted in frames, as fast as they can be drawn",
     )
     add("--script", metavar="FILE", help="keys and text to play, see below")
+    add("--record", metavar="FILE", help="write down what is done, so that it can be replayed")
+    add("--replay", metavar="FILE", help="play a record; 3 if it comes out differently")
+    add("--headless", action="store_true", help="replay without a window, as fast as it goes")
+    add("--settings", metavar="FILE", help="keep settings there; else in the user's folder")
     add("--screenshot", metavar="FILE", help="save the last picture (.png)")
     add("--stats", action="store_true", help="print counts: frames, physics calls, events")
     add("--version", action="store_true", help="print which pygame is in use")

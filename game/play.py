@@ -7,11 +7,11 @@ from cmath import phase
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import degrees, hypot
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
-from physics import EventBudgetError, State, World
+from physics import Cloth, EventBudgetError, State, World, laws
 
-from . import setup
+from . import choices, setup
 from .actions import Action
 from .aim import Aim, plain
 from .clock import TICKS, seconds, shares
@@ -35,32 +35,46 @@ class Notice:
     error: bool = False
 
 
+class Terms(NamedTuple):
+    """Laws and cloth that a table came with."""
+
+    ball_law: laws.BallLaw
+    cushion_law: laws.CushionLaw
+    cloth: Cloth
+
+
 class Game:
     """World, aim and everything else that actions change.  It never looks at a clock."""
 
     def __init__(
         self, world: World, substeps: int = 6, seed: int = 0, table: str = "medium"
     ) -> None:
-        self.world, self.substeps, self.table = world, substeps, table
-        self.cue = setup.cue_ball(world)
-        self.aim = Aim()
-        self.engine, self.law = "exact", setup.law_of(world)
-        self.paused = self.help = self.over = False
-        self.language = "en"
-        self.notice: Notice | None = None
-        self.tick = self.shots = self.calls = self.events = 0
-        self.began = world.time
-        self.shown_shot = False
-        """Is the last shot on show, rather than the next one?"""
+        self.substeps = substeps
+        self.engine, self.language = "exact", "en"
+        self.help = self.sheet = self.over = False
+        self.tick = self.calls = self.events = self.stamp = 0
+        """`stamp` goes up whenever somebody, and not time, has changed what will happen."""
         self.version = 0
         """Goes up with every change: equal versions look the same."""
         self.news = 0
         """Goes up when anything but the balls' places has changed, or is due to be read again."""
         self._rng = random.Random(seed)
-        self._own = (world.ball_law, world.cushion_law)
+        self.begin(world, table)
+
+    def begin(self, world: World, table: str) -> None:
+        """Play on another table."""
+        self.world, self.table = world, table
+        self.cue = setup.cue_ball(world)
+        self.aim = Aim()
+        self.law, self.cloth = setup.law_of(world), "table"
+        self.paused = False
+        self.notice: Notice | None = None
+        self.shots = 0
+        self.began = world.time
+        self.shown_shot = False
+        """Is the last shot on show, rather than the next one?"""
+        self.came_with = Terms(world.ball_law, world.cushion_law, world.cloth)
         self._lay = self._layout()
-        self.stamp = 0
-        """Goes up whenever somebody, and not time, has changed what will happen."""
         self._previewed: tuple[object, Preview | None] = (None, None)
         self._forecast: tuple[object, Story] = (None, NO_STORY)
         self._counts: tuple[object, tuple[int, int]] = (None, (0, 0))
@@ -75,7 +89,7 @@ class Game:
     def perform(self, action: Action) -> None:
         """Do what the player wants; anything unknown raises KeyError."""
         handler = self._handlers[action.name]
-        if action.name not in ("language", "help"):
+        if action.name not in ("language", "help", "settings"):
             self.notice = None
         if action.value is None:
             handler(self)
@@ -166,20 +180,11 @@ class Game:
                 self._step(1.0)
         self._read()
 
-    def _engine(self) -> None:
-        keys = list(setup.ENGINES)
-        self.choose_engine(keys[(keys.index(self.engine) + 1) % len(keys)])
-
-    def _law(self) -> None:
-        keys = [*setup.LAWS]
-        after = keys.index(self.law) + 1 if self.law in keys else 0
-        self.choose_law(keys[after % len(keys)])
-
-    def _language(self) -> None:
-        self.language = "ko" if self.language == "en" else "en"
-
     def _help(self) -> None:
         self.help = not self.help
+
+    def _settings(self) -> None:
+        self.sheet = not self.sheet
 
     def _quit(self) -> None:
         self.over = True
@@ -195,27 +200,11 @@ class Game:
         if not self.aim.faults:
             self.aim.finish()
 
-    def choose_engine(self, key: str) -> None:
-        """Continue with another engine."""
-        self.world.engine = setup.ENGINES[key]()
-        self.stamp += 1
-        self.engine = key
-
-    def choose_law(self, key: str) -> None:
-        """Continue with another law set; the set a table came with returns with its own numbers."""
-        kinds = setup.LAWS[key]
-        ball, cushion = kinds.ball(), kinds.cushion()
-        if (type(self._own[0]), type(self._own[1])) == (type(ball), type(cushion)):
-            ball, cushion = self._own
-        self.world.ball_law, self.world.cushion_law = ball, cushion
-        self.stamp += 1
-        self.law = key
-
     # -- what time does ------------------------------------------------------------------------
 
     def advance(self, ticks: int) -> None:
         """Let time pass: at most `substeps` calls of `world.step`, none while nothing moves."""
-        if self.moving and not (self.paused or self.help):
+        if self.moving and not (self.paused or self.help or self.sheet):
             self._run(ticks)
         self.tick += ticks
 
@@ -344,7 +333,9 @@ class Game:
     _handlers: ClassVar[dict[str, Callable[..., None]]] = {
         "edit": _edit, "clear": _clear, "type": _type, "erase": _erase, "enter": _enter,
         "leave": _leave, "shoot": _shoot, "fire": _fire, "place": _place, "stop": _stop,
-        "retry": _retry, "pause": _pause, "frame": _frame, "skip": _skip, "engine": _engine,
-        "law": _law, "language": _language, "help": _help, "quit": _quit, "set": _set,
+        "retry": _retry, "pause": _pause, "frame": _frame, "skip": _skip, "help": _help,
+        "settings": _settings, "quit": _quit, "set": _set, "engine": choices.engine,
+        "law": choices.law, "cloth": choices.cloth, "table": choices.table,
+        "language": choices.language,
     }  # fmt: skip
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import physics
-from physics import Ball, EventDriven, World, laws, scenes, tables
+from physics import Ball, Cloth, EventDriven, World, laws, scenes, tables
 
 Place = tuple[float, float]
 
@@ -46,6 +46,11 @@ ENGINES: dict[str, Callable[[], Any]] = {
     "exact": EventDriven,
     "thesis": lambda: physics.TimeStepping(dt=1 / 180),
 }
+CLOTHS: dict[str, Cloth | None] = {
+    "table": None,
+    **{key: tables.CLOTHS[key] for key in ("new", "worn", "humid")},
+}
+"""Conditions of the cloth; "table" is the one that a table comes with."""
 SCENES = scenes.SCENES
 SIDES = ("west", "east", "south", "north")
 

@@ -107,16 +107,19 @@ def engine(
     second: str,
     corner: str = "",
     healthy: bool = True,
+    kept: int = 0,
 ) -> pygame.Rect:
-    """Draw the card that names the engine (first line) and the table (second)."""
+    """Draw the card that names the engine (first line) and the table (second).
+
+    `kept` px at s = 1 stay free at the right of the first line.
+    """
     s = type_.s
     card(surface, rect, s)
     light = theme.GOOD if healthy else theme.ERROR
     shapes.disc(surface, (rect.x + 18 * s, rect.y + 17 * s), 4 * s, light)
     left, right = rect.x + 30 * s, rect.right - 12 * s
-    type_.draw(
-        surface, type_.fitted(first, 13, right - left), (left, rect.y + 21 * s), 13, theme.TEXT
-    )
+    first = type_.fitted(first, 13, right - left - kept * s)
+    type_.draw(surface, first, (left, rect.y + 21 * s), 13, theme.TEXT)
     end = type_.draw(surface, corner, (right, rect.y + 39 * s), 12, theme.TEXT_SOFT, "right").x
     second = type_.fitted(second, 12, end - 8 * s - left)
     type_.draw(surface, second, (left, rect.y + 39 * s), 12, theme.TEXT_SOFT)

@@ -66,11 +66,16 @@ def panel(layout: Layout) -> pygame.Rect:
     return rect
 
 
-def draw(surface: pygame.Surface, layout: Layout, type_: Type, language: str) -> pygame.Rect:
-    """Draw the page over a darkened window; returns all of it."""
+def darken(surface: pygame.Surface) -> None:
+    """Put everything into the background."""
     shade = pygame.Surface(surface.get_size(), pygame.SRCALPHA)
     shade.fill((6, 9, 12, 150))
     surface.blit(shade, (0, 0))
+
+
+def draw(surface: pygame.Surface, layout: Layout, type_: Type, language: str) -> pygame.Rect:
+    """Draw the page over a darkened window; returns all of it."""
+    darken(surface)
     s, w, rect = layout.s, words(language), panel(layout)
     shapes.box(surface, rect, s, PANEL, LINE_TRACK)
     left, top = rect.x + round(28 * s), rect.y + round(42 * s)
@@ -107,4 +112,3 @@ def _section(
         type_.draw(surface, w[said], (x + KEY_COLUMN * s, base), 13, TEXT_SOFT)
         y += ROW * s
     return y + 20 * s
-

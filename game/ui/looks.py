@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from game.render.theme import BALLS, BallLook
+from game.render.theme import BALLS, SAFE_BALLS, BallLook
 
+SETS = {"usual": BALLS, "safe": SAFE_BALLS}
+"""Balls for everybody, and those that colour-blind eyes can tell apart."""
 KINDS = {"white": "white", "cue": "white", "yellow": "yellow"}
 KINDS |= {"red": "red 1", "red1": "red 1", "red2": "red 2", "red 1": "red 1", "red 2": "red 2"}
 OTHERS = ("red 1", "yellow", "red 2")
 
 
-def look(name: str, place: int) -> BallLook:
-    """Return the look of a ball by its name, or by its place among the balls."""
-    return BALLS[KINDS.get(name) or OTHERS[place % len(OTHERS)]]
+def look(name: str, place: int, colours: str = "usual") -> BallLook:
+    """Return the look of a ball in a set by its name, or by its place among the balls."""
+    return SETS[colours][KINDS.get(name) or OTHERS[place % len(OTHERS)]]
 
 
 def ball_words(name: str, words: dict[str, str]) -> str:

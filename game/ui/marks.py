@@ -24,22 +24,26 @@ def aiming(game: Game) -> bool:
     return not game.shown_shot and not game.moving
 
 
-def key(game: Game) -> object:
+def key(game: Game, aids: str) -> object:
     """What decides how the marks look: equal keys, equal marks."""
     if aiming(game):
-        return "aim", game.preview_key
+        return "aim", game.preview_key, aids
     if game.shown_shot:
         return "shot", game.stamp, len(game.world.log), game.moving
     return None
 
 
 def draw(
-    surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook]
+    surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook], aids: str
 ) -> list[pygame.Rect]:
-    """Draw the marks; returns the rectangles around them."""
+    """Draw the marks, with `aids` "off" "short" or "full"; returns the rectangles around them."""
     if aiming(game):
+        if aids == "off":
+            return []
         preview = game.preview
-        if preview is None:
+        if aids == "short" and preview is not None and preview.contact is not None:
+            return _first(surface, layout, game, preview, preview.contact, looks)
+        if preview is None or aids == "short":
             return _direction(surface, layout, game)
         return _preview(surface, layout, game, preview, looks)
     return _traces(surface, layout, game, looks) if game.shown_shot else []
@@ -47,6 +51,21 @@ def draw(
 
 def _screen(layout: Layout, points: Sequence[Place]) -> list[tuple[float, float]]:
     return lines.decimated([layout.to_screen(*p) for p in points]) if len(points) > 1 else []
+
+
+def _first(
+    surface: pygame.Surface,
+    layout: Layout,
+    game: Game,
+    seen: Preview,
+    contact: Contact,
+    looks: Sequence[BallLook],
+) -> Rects:
+    """Draw the way to the first ball, and where both leave to."""
+    radius = game.world.ball(game.cue).radius * layout.scale
+    way = _clear(_screen(layout, seen.way), radius)
+    line = lines.polyline(surface, way, WHITE, 1.6 * layout.s, 0.95)
+    return [line, *_meeting(surface, layout, game, contact, looks)]
 
 
 def _preview(
@@ -170,9 +189,7 @@ def _traces(
     return rects + _hits(surface, layout, game, looks)
 
 
-def _hits(
-    surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook]
-) -> Rects:
+def _hits(surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook]) -> Rects:
     normals = {wall.name: wall.normal for wall in game.world.walls}
     s, rects = layout.s, []
     for event in game.world.log:

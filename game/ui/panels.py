@@ -130,12 +130,12 @@ def _power_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 
 
 def _contact(sight: Sight) -> Contact | None:
-    seen = sight.game.preview
+    seen = sight.game.preview if sight.settings.aids != "off" else None
     return seen.contact if seen else None
 
 
 def _thickness_key(sight: Sight) -> Hashable:
-    return sight.game.preview is None, _contact(sight)
+    return sight.game.preview is None, _contact(sight), sight.settings.aids
 
 
 def _thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -143,7 +143,7 @@ def _thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) ->
     if contact is None:
         return _nothing_met(surface, rect, sight)
     names = [ball.name for ball in game.world.balls]
-    colour = look(contact.ball, names.index(contact.ball)).ui
+    colour = look(contact.ball, names.index(contact.ball), sight.settings.colours).ui
     items = [(eighths(contact.overlap), w["thickness.cut"].format(angle=number(contact.cut, 1)))]
     return gauges.thickness(
         surface, rect, sight.type, w["thickness"], items, contact.overlap, colour
@@ -156,7 +156,8 @@ def _nothing_met(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
     s, t, w = sight.layout.s, sight.type, sight.words
     cards.card(surface, rect, s)
     t.draw(surface, w["thickness"], (rect.x + 12 * s, rect.y + 24 * s), 13, TEXT_SOFT)
-    said = w["thickness.free"] if sight.game.preview else "–"
+    known = sight.game.preview is not None and sight.settings.aids != "off"
+    said = w["thickness.free"] if known else "–"
     t.draw(surface, said, (rect.x + 12 * s, rect.y + 56 * s), 15, TEXT_SOFT)
     return rect
 
@@ -189,10 +190,10 @@ def _log_key(sight: Sight) -> Hashable:
     return game.shots, game.began, len(game.world.log)
 
 
-def log_rows(game: Game, w: dict[str, str]) -> list[cards.LogRow]:
+def log_rows(game: Game, w: dict[str, str], colours: str = "usual") -> list[cards.LogRow]:
     """The events of the shot that matter to a player."""
     names = [ball.name for ball in game.world.balls]
-    colour = {name: look(name, i) for i, name in enumerate(names)}
+    colour = {name: look(name, i, colours) for i, name in enumerate(names)}
 
     def dots(balls: tuple[str, ...]) -> tuple[tuple[tuple[int, int, int], str], ...]:
         return tuple((colour[b].ui, colour[b].letter) for b in balls)
@@ -217,7 +218,7 @@ def log_rows(game: Game, w: dict[str, str]) -> list[cards.LogRow]:
 
 
 def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
-    rows = log_rows(sight.game, sight.words)
+    rows = log_rows(sight.game, sight.words, sight.settings.colours)
     shown = cards.log_rows(rect, sight.layout.s)
     top = max(0, len(rows) - shown)
     title = sight.words["events"]
@@ -227,22 +228,23 @@ def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygam
 def _lanes_look(sight: Sight) -> Hashable:
     game = sight.game
     if sight.mode == "aim":
-        return "aim", game.preview_key
+        return "aim", game.preview_key, sight.settings.aids
     return game.stamp, game.readout_time, game.moving and not game.paused
 
 
 def _lanes_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     game, w = sight.game, sight.words
     if sight.mode == "aim":
-        told = game.preview.story if game.preview else NO_STORY
-        label = w["preview"].format(time=number(told.duration, 1)) if game.preview else ""
+        seen = game.preview if sight.settings.aids == "full" else None
+        told = seen.story if seen else NO_STORY
+        label = w["preview"].format(time=number(told.duration, 1)) if seen else ""
         return lanes.timeline(
-            surface, rect, sight.type, _lanes(game, told), told.duration, label, ""
+            surface, rect, sight.type, _lanes(sight, told), told.duration, label, ""
         )
     told, now = game.forecast, game.readout_time
     length = max(told.duration, now)
     label = w["time"].format(now=number(now), all=number(length))
-    drawn, playing = _lanes(game, told), game.moving and not game.paused
+    drawn, playing = _lanes(sight, told), game.moving and not game.paused
     return lanes.timeline(surface, rect, sight.type, drawn, length, label, "", now, playing)
 
 
@@ -256,7 +258,8 @@ def _lanes_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
     return None
 
 
-def _lanes(game: Game, told: Story) -> list[lanes.Lane]:
+def _lanes(sight: Sight, told: Story) -> list[lanes.Lane]:
+    game, colours = sight.game, sight.settings.colours
     names = [name for name in (ball.name for ball in game.world.balls) if name in game.traced]
     result = []
     for place, name in enumerate(names):
@@ -270,7 +273,8 @@ def _lanes(game: Game, told: Story) -> list[lanes.Lane]:
             if other != name and other in names
         )
         marks = {k: tuple(e.time for e in own if e.kind == k) for k in ("cushion", "rest")}
-        lane = lanes.Lane(look(name, place).ui, legs, marks["cushion"], tuple(joins), marks["rest"])
+        ink = look(name, place, colours).ui
+        lane = lanes.Lane(ink, legs, marks["cushion"], tuple(joins), marks["rest"])
         result.append(lane)
     return result
 

@@ -10,9 +10,11 @@ import pygame
 from game.actions import Action
 from game.aim import BOXES, MINUS, MOST, Fault, shown
 from game.play import Game
-from game.render import cards, fields
+from game.preferences import Preferences
+from game.render import cards, fields, icons
 from game.render.layout import Layout
 from game.render.text import Type
+from game.settings import Settings
 from game.text import words
 
 from .touch import Pointer
@@ -28,12 +30,17 @@ class Sight:
     layout: Layout
     type: Type
     pointer: Pointer
+    preferences: Preferences
     mode: str = "aim"
     """The right column: "aim" shows the next shot, "after" the last one."""
 
     @property
     def words(self) -> dict[str, str]:
         return words(self.game.language)
+
+    @property
+    def settings(self) -> Settings:
+        return self.preferences.settings
 
 
 Key = Callable[[Sight], Hashable]
@@ -187,16 +194,37 @@ def badge(game: Game, w: dict[str, str]) -> tuple[str, str]:
     return f"{w['engine.' + game.engine]} · {w['law.' + game.law]}", table
 
 
+TOOLS = ("mute", "settings")
+"""Actions of the small buttons at the top right of the card."""
+
+
+def _tools(rect: pygame.Rect, sight: Sight) -> dict[str, pygame.Rect]:
+    side = round(24 * sight.layout.s)
+    left = rect.right - round(6 * sight.layout.s) - len(TOOLS) * side
+    return {
+        name: pygame.Rect(left + i * side, rect.y + round(5 * sight.layout.s), side, side)
+        for i, name in enumerate(TOOLS)
+    }
+
+
 def _engine_key(sight: Sight) -> Hashable:
-    return badge(sight.game, sight.words)
+    return badge(sight.game, sight.words), sight.preferences.audio.silent
 
 
 def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     first, second = badge(sight.game, sight.words)
-    return cards.engine(surface, rect, sight.type, first, second, sight.words["corner"])
+    kept = 24 * len(TOOLS)
+    cards.engine(surface, rect, sight.type, first, second, sight.words["corner"], kept=kept)
+    pictures = {"mute": "silent" if sight.preferences.audio.silent else "sound"}
+    for name, box in _tools(rect, sight).items():
+        icons.draw(surface, box, pictures.get(name, name), sight.layout.s)
+    return rect
 
 
 def _engine_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
+    for name, box in _tools(rect, sight).items():
+        if box.collidepoint(at):
+            return Action(name)
     if at[0] > rect.right - 70 * sight.layout.s and at[1] > rect.centery:
         return Action("language")
     return Action("engine") if at[1] < rect.centery else Action("law")

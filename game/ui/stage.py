@@ -12,6 +12,7 @@ from game.render import cue
 from game.render.balls import BallSprites
 from game.render.layout import Layout
 from game.render.table import background
+from game.settings import Settings
 
 from . import marks
 from .looks import look
@@ -29,11 +30,13 @@ class Stage:
     `base` is the background, `lines` the background with what lies under the balls.
     """
 
-    def __init__(self, layout: Layout, game: Game) -> None:
+    def __init__(self, layout: Layout, game: Game, settings: Settings) -> None:
         self.layout, self.radius = layout, game.world.balls[0].radius
         self.base = background(layout)
         self.lines = self.base.copy()
-        self.looks = [look(ball.name, i) for i, ball in enumerate(game.world.balls)]
+        self.settings = settings
+        names = enumerate(ball.name for ball in game.world.balls)
+        self.looks = [look(name, i, settings.colours) for i, name in names]
         self.sprites = BallSprites(layout, self.looks, self.radius)
         self.trail = Trail()
         self._under: object = None
@@ -76,7 +79,8 @@ class Stage:
 
     def _draw_lines(self, game: Game) -> list[pygame.Rect]:
         """Redraw what lies under the balls if it is not what it was."""
-        key = marks.key(game)
+        aids = self.settings.aids
+        key = marks.key(game, aids)
         if key == self._under:
             grown = self.trail.draw(self.lines, self.layout, game, self.looks)
             self._marked += grown
@@ -86,7 +90,7 @@ class Stage:
         for rect in old:
             self.lines.blit(self.base, rect, rect)
         self.lines.set_clip(self.layout.table)
-        self._marked = marks.draw(self.lines, self.layout, game, self.looks)
+        self._marked = marks.draw(self.lines, self.layout, game, self.looks, aids)
         self.lines.set_clip(None)
         self._marked += self.trail.draw(self.lines, self.layout, game, self.looks)
         return old + self._marked

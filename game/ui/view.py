@@ -8,12 +8,14 @@ import pygame
 
 from game.actions import Action
 from game.play import Game
+from game.preferences import Preferences
 from game.render.layout import Layout
 from game.render.text import Type
 
 from . import help as page
 from .panels import shot_parts
 from .parts import Part, Sight, fixed_parts
+from .sheet import Sheet
 from .stage import Stage
 from .touch import Pointer
 
@@ -24,10 +26,23 @@ LEAST = (640, 360)
 class View:
     """Everything in the window, for one game."""
 
-    def __init__(self, game: Game, size: tuple[int, int], length: float, width: float) -> None:
-        self.game, self.pointer = game, Pointer()
+    def __init__(
+        self,
+        game: Game,
+        size: tuple[int, int],
+        length: float,
+        width: float,
+        preferences: Preferences | None = None,
+    ) -> None:
+        self.game, self.pointer, self.sheet = game, Pointer(), Sheet()
+        self.preferences = preferences or Preferences()
         self._table = length, width
         self._fit(size)
+
+    def renew(self, length: float, width: float) -> None:
+        """Show another table, or the same one with other balls."""
+        self._table = length, width
+        self._fit(self.sight.layout.size)
 
     def resize(self, size: tuple[int, int]) -> None:
         """Lay everything out anew."""
@@ -41,13 +56,14 @@ class View:
     def _fit(self, size: tuple[int, int]) -> None:
         size = max(size[0], LEAST[0]), max(size[1], LEAST[1])
         layout = Layout(size, *self._table)
-        self.sight = Sight(self.game, layout, Type(layout.s), self.pointer)
-        self.stage = Stage(layout, self.game)
+        self.sight = Sight(self.game, layout, Type(layout.s), self.pointer, self.preferences)
+        self.stage = Stage(layout, self.game, self.preferences.settings)
         self.parts = [p for p in fixed_parts(layout) + shot_parts(layout) if p.rect.w and p.rect.h]
         self._drawn: dict[str, Hashable] = {}
         self._mode = ""
         self._news: tuple[int, str, str] | None = None
-        self._help: str | None = None
+        self._overlay: Hashable = None
+        self._sheet_look: Hashable = None
         self._whole = True
 
     def expose(self) -> None:
@@ -58,23 +74,41 @@ class View:
 
     def draw(self, surface: pygame.Surface) -> list[pygame.Rect]:
         """Bring the surface up to date; returns the rectangles that changed."""
-        wanted = self.game.language if self.game.help else None
-        if wanted != self._help:
-            self._help, self._whole = wanted, True
+        overlay = self._wanted()
+        if overlay != self._overlay:
+            self._overlay, self._whole = overlay, True
         if self._whole:
             return self._draw_whole(surface)
-        if self._help is not None:
+        if self.game.help:
             return []
+        if self.game.sheet:
+            return self._draw_sheet(surface)
         return self.stage.draw(surface, self.game) + self._draw_parts(surface)
+
+    def _wanted(self) -> Hashable:
+        """What lies over the window: the page of keys, the settings, or None."""
+        shown = "help" if self.game.help else "sheet" if self.game.sheet else ""
+        return (shown, self.game.language) if shown else None
+
+    def _draw_sheet(self, surface: pygame.Surface) -> list[pygame.Rect]:
+        look = self.sheet.look(self.sight)
+        if look == self._sheet_look:
+            return []
+        self._sheet_look = look
+        return [self.sheet.draw(surface, self.sight)]
 
     def _draw_whole(self, surface: pygame.Surface) -> list[pygame.Rect]:
         self._whole = False
         self.stage.everything(surface, self.game)
         self._drawn, self._mode, self._news = {}, "", None
         self._draw_parts(surface)
-        if self._help is not None:
+        self._sheet_look = None
+        if self.game.help:
             layout = self.sight.layout
-            page.draw(surface, layout, self.sight.type, self._help)
+            page.draw(surface, layout, self.sight.type, self.game.language)
+        elif self.game.sheet:
+            page.darken(surface)
+            self._draw_sheet(surface)
         return [surface.get_rect()]
 
     def _draw_parts(self, surface: pygame.Surface) -> list[pygame.Rect]:

@@ -1,0 +1,60 @@
+"""What a game is played with, and how another engine, law, cloth, table or language is taken.
+
+Each takes the key that is wanted, or without one goes on to the next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from . import setup
+from .text import LANGUAGES
+
+if TYPE_CHECKING:
+    from .play import Game
+
+
+def _after(keys: Sequence[str], now: str) -> str:
+    return keys[(keys.index(now) + 1) % len(keys)] if now in keys else keys[0]
+
+
+def language(game: Game, key: str = "") -> None:
+    """Say everything in another language."""
+    game.language = key or _after([*LANGUAGES], game.language)
+
+
+def engine(game: Game, key: str = "") -> None:
+    """Continue with another engine."""
+    key = key or _after([*setup.ENGINES], game.engine)
+    game.world.engine = setup.ENGINES[key]()
+    game.engine = key
+    game.stamp += 1
+
+
+def law(game: Game, key: str = "") -> None:
+    """Continue with another law set; the set a table came with returns with its own numbers."""
+    key = key or _after([*setup.LAWS], game.law)
+    kinds = setup.LAWS[key]
+    ball, cushion = kinds.ball(), kinds.cushion()
+    own = game.came_with
+    if (type(own.ball_law), type(own.cushion_law)) == (type(ball), type(cushion)):
+        ball, cushion = own.ball_law, own.cushion_law
+    game.world.ball_law, game.world.cushion_law = ball, cushion
+    game.law = key
+    game.stamp += 1
+
+
+def cloth(game: Game, key: str = "") -> None:
+    """Continue on another cloth, or on the one that the table came with ("table")."""
+    key = key or _after([*setup.CLOTHS], game.cloth)
+    game.world.cloth = setup.CLOTHS[key] or game.came_with.cloth
+    game.cloth = key
+    game.stamp += 1
+
+
+def table(game: Game, key: str = "") -> None:
+    """Lay the balls on another table, with its own cloth and laws; the engine stays."""
+    key = key or _after([*setup.TABLES], game.table)
+    game.begin(setup.table_world(key), key)
+    engine(game, game.engine)
