@@ -1,11 +1,11 @@
 """From event to event."""
 
-from .cluster import TOUCHING, collide, crowded, gather
+from .cluster import TOUCHING, collide, crowded, crowded_near, gather
 from .contact import first_fall, meeting
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .laws import hit_ball, hit_wall
 from .motion import RESTING, carry, length, motion, settle, swept
-from .subset import complex, inf, kernel
+from .subset import complex, inf, kernel, lend
 
 PHASE_ENDS = -1
 INSTANT = 1e-12  # s: a leg that short goes nowhere
@@ -70,10 +70,19 @@ def start_leg(i, scene):
 @kernel
 def plan_meetings(i, scene):
     """Enter in the calendar whom ball i will meet, and first of all when."""
-    balls, meetings = scene.balls, scene.meetings
     if scene.celled:
-        plan_near(i, balls, scene.grid)
-        return
+        plan_near(i, scene.balls, scene.grid)
+    else:
+        plan_table(i, scene.balls, scene.meetings)
+
+
+# To hand on a scene is to hand on two dozen arrays: compiled, that takes longer than to plan a leg.
+# So what every event does without cells takes only what it needs.
+
+
+@kernel
+def plan_table(i, balls, meetings):
+    """Without cells there is a table of all meetings."""
     n = len(balls)
     ball = balls[i]
     west, east, south, north = ball.west, ball.east, ball.south, ball.north
@@ -124,19 +133,26 @@ def plan(scene):
         ball = balls[i]
         if scene.celled:
             locate(i, ball, grid)
-        start_leg(i, scene)
+            start_leg(i, scene)
+        else:
+            plan_leg(ball, scene.walls, scene.cloth)
         ball.meets, ball.partner, ball.next = inf, NOBODY, ball.leg_end
     for i in range(n):
-        if balls[i].phase != RESTING or scene.celled:
-            plan_meetings(i, scene)
+        if scene.celled:
+            plan_near(i, balls, grid)
+        elif balls[i].phase != RESTING:
+            plan_table(i, balls, meetings)
 
 
 @kernel
 def soonest(scene):
     """The ball that the next event belongs to."""
-    if scene.celled:
-        return scene.grid.tree[1]
-    balls = scene.balls
+    return scene.grid.tree[1] if scene.celled else earliest(scene.balls)
+
+
+@kernel
+def earliest(balls):
+    """The ball whose next event is first."""
     first, time = 0, inf
     for i in range(len(balls)):
         if balls[i].next < time:
@@ -168,8 +184,12 @@ def happen(i, scene):
         ball.trapped = ball.trapped + 1 if lasted < INSTANT else 0
         if ball.trapped > PATIENCE:
             release(ball, scene.walls, scene.cushion_rule.parting)
-    start_leg(i, scene)
-    plan_meetings(i, scene)
+    if scene.celled:
+        start_leg(i, scene)
+        plan_near(i, balls, scene.grid)
+    else:
+        plan_leg(ball, scene.walls, cloth)
+        plan_table(i, balls, scene.meetings)
     return kind, goal
 
 
@@ -202,13 +222,19 @@ def meet(i, j, time, scene):
     """Two balls touch, and perhaps others with them."""
     balls = scene.balls
     carry(balls[j], time, scene.cloth)
-    if len(balls) > 2 and crowded(i, j, time, scene):
+    if crowded(i, j, time, balls) if not scene.celled else crowded_near(i, j, time, scene):
         return crowd(i, j, time, scene)
     hit_ball(balls[i], balls[j], scene.ball_rule)
-    start_leg(i, scene)
-    start_leg(j, scene)
-    plan_meetings(i, scene)
-    plan_meetings(j, scene)
+    if scene.celled:
+        start_leg(i, scene)
+        start_leg(j, scene)
+        plan_near(i, balls, scene.grid)
+        plan_near(j, balls, scene.grid)
+    else:
+        plan_leg(balls[i], scene.walls, scene.cloth)
+        plan_leg(balls[j], scene.walls, scene.cloth)
+        plan_table(i, balls, scene.meetings)
+        plan_table(j, balls, scene.meetings)
     return PAIR, j
 
 
@@ -226,10 +252,8 @@ def crowd(i, j, time, scene):
 
 
 @kernel
-def blows(kind, contacts, ties):
-    """How many events that was: in a cluster, every contact that passed an impulse is one."""
-    if kind != CLUSTER:
-        return 0 if kind == NOTHING else 1
+def blows(contacts, ties):
+    """How many events a cluster was: every contact that passed an impulse is one."""
     count = 0
     for c in range(contacts):
         if ties.total[c] > 0.0:
@@ -243,12 +267,15 @@ def advance(until, budget, scene):
     balls = scene.balls
     events, last = 0, 0.0
     while events <= budget:
-        i = soonest(scene)
+        i = scene.grid.tree[1] if scene.celled else earliest(balls)
         time = balls[i].next
         if time > until or time == inf:
             break
         kind, other = happen(i, scene)
-        events += blows(kind, other, scene.ties)
+        if kind == CLUSTER:
+            events += blows(other, scene.ties)
+        elif kind != NOTHING:
+            events += 1
         last = time
     return events, last
 
@@ -256,6 +283,7 @@ def advance(until, budget, scene):
 @kernel
 def many(starts, rests, times, counts, budget, scene):
     """Shot after shot, each to rest: `starts` (shots, balls, 7), `rests` (shots, balls, 2)."""
+    scene = lend(scene)
     balls = scene.balls
     for s in range(len(starts)):
         for i in range(len(balls)):

@@ -38,16 +38,21 @@ def touching(a, b, time):
 
 
 @kernel
-def crowded(i, j, time, scene):
+def crowded(i, j, time, balls):
     """Does a third ball touch one of the two?"""
-    balls = scene.balls
     a, b = balls[i], balls[j]
-    if scene.celled:
-        return third(a, i, j, time, balls, scene.grid) or third(b, j, i, time, balls, scene.grid)
     for k in range(len(balls)):
         if k != i and k != j and (touching(a, balls[k], time) or touching(b, balls[k], time)):
             return True
     return False
+
+
+@kernel
+def crowded_near(i, j, time, scene):
+    """The same, with cells."""
+    balls = scene.balls
+    a, b = balls[i], balls[j]
+    return third(a, i, j, time, balls, scene.grid) or third(b, j, i, time, balls, scene.grid)
 
 
 @kernel
