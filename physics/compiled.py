@@ -24,11 +24,17 @@ NAME = "physics.compiled_kernel"
 
 
 def cache_folder() -> Path:
-    """Where the compiled kernel is kept: in the user's cache folder, by the hash of its sources."""
+    """Where the compiled kernel is kept: in the user's cache folder, by the hash of its sources.
+
+    And of where and how old they are, by which numba goes: so the folder is there if and only if
+    this kernel has been compiled.
+    """
     import numba
 
-    sources = b"".join(path.read_bytes() for path in sorted(FOLDER.glob("*.py")))
-    key = hashlib.sha256(sources + numba.__version__.encode()).hexdigest()[:16]
+    paths = sorted(FOLDER.glob("*.py"))
+    sources = b"".join(path.read_bytes() for path in paths)
+    place = f"{numba.__version__} {FOLDER} {[path.stat().st_mtime_ns for path in paths]}"
+    key = hashlib.sha256(sources + place.encode()).hexdigest()[:16]
     home = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
     return Path(home) / "danggu" / f"kernel-{key}"
 
@@ -39,16 +45,18 @@ def _lend() -> Any:
     Every function that is handed a scene counts two for each of its two dozen arrays, which took a
     third of the time of a batch. Whoever called holds the arrays anyway.
     """
-    from numba.core import cgutils, types
+    from numba.core import cgutils
+    from numba.core.types.containers import BaseTuple
+    from numba.core.types.npytypes import Array
     from numba.extending import intrinsic
 
     def bare(context: Any, builder: Any, kind: Any, value: Any) -> Any:
-        if isinstance(kind, types.BaseTuple):
+        if isinstance(kind, BaseTuple):
             for k, part in enumerate(kind):
                 item = bare(context, builder, part, builder.extract_value(value, k))
                 value = builder.insert_value(value, item, k)
             return value
-        if not isinstance(kind, types.Array):
+        if not isinstance(kind, Array):
             return value
         array = context.make_array(kind)(context, builder, value)
         array.meminfo = cgutils.get_null_value(array.meminfo.type)
