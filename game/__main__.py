@@ -77,14 +77,24 @@ def _version() -> int:
 
 def _play(options: Options) -> int:
     pygame = _pygame()
+    from . import record, start
     from .app import App
+    from .replay import headless
     from .script import read
 
+    preferences = start.preferences(options)
+    options = preferences.settings.applied(options) if preferences.store else options
+    played = record.read(options.replay, options) if options.replay else None
+    options = played.setup if played else options
+    game = new_game(options)
+    if played and options.headless:
+        return start.told(headless(played, game))
     script = read(options.script) if options.script else None
     try:
-        app = App(new_game(options), options, script)
+        app = App(game, options, script, preferences, start.journal(options, game, played))
     except pygame.error as error:
         raise ValueError(f"cannot open a window: {error}") from None
+    start.greet(app)
     try:
         app.run()
         if options.screenshot:
@@ -94,10 +104,10 @@ def _play(options: Options) -> int:
     except (pygame.error, OSError) as error:
         raise ValueError(f"cannot save {options.screenshot!r}: {error}") from None
     finally:
-        pygame.display.quit()
+        app.close()
     if options.stats:
         print(app.report())
-    return 0
+    return start.told(app.replay)
 
 
 def new_game(options: Options) -> Game:

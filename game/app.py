@@ -14,6 +14,8 @@ from .hearing import Ear
 from .options import Options
 from .play import Game, Notice
 from .preferences import Preferences
+from .record import Recorder
+from .replay import Replay
 from .script import Script
 from .setup import size as table_size
 from .ui.view import View
@@ -59,6 +61,7 @@ class App:
         options: Options,
         script: Script | None = None,
         preferences: Preferences | None = None,
+        journal: Recorder | Replay | None = None,
     ) -> None:
         prepare_environment()
         pygame.display.init()
@@ -73,6 +76,8 @@ class App:
         self.view = View(game, *sizes, self.preferences)
         self.ear = Ear(sizes[1] / 2)
         self._world = game.world
+        self.journal = journal
+        self.replay = journal if isinstance(journal, Replay) else None
         self.clock = (VirtualClock if options.virtual else RealClock)(options.fps)
         self.actions: list[tuple[int, Action]] = []
         self._shown_version = -1
@@ -97,12 +102,14 @@ class App:
         for event in pygame.event.get():
             self.handle(event)
         end = self.game.tick + ticks
+        if self.replay is not None:
+            end = self._replay(self.replay, end)
         for line in self.script.due(end):
             self.update(line.tick - self.game.tick)
             for event in line.events:
                 self.handle(event)
         self.update(end - self.game.tick)
-        if not self.preferences.audio.silent:
+        if not (self.options.virtual or self.preferences.audio.silent):
             self._sound()
         return self.render() or self.stats.inputs != before
 
@@ -113,6 +120,8 @@ class App:
         self.stats.inputs += 1
         if event.type == pygame.QUIT:
             self.perform(Action("quit"))
+        elif self.replay is not None and event.type in OVERLAID:
+            self._watch(self.replay, event)
         elif self.game.sheet and event.type in OVERLAID:
             self._sheet(event)
         elif event.type == pygame.KEYDOWN:
@@ -135,13 +144,56 @@ class App:
             self._restyle(action)
             return
         self.actions.append((self.game.tick, action))
-        self.game.perform(action)
+        self._act(action)
         self.preferences.note(action, self.game)
         if self.game.world is not self._world:
             self._relay()
         self._sync_typing()
         if action.name in ("settings", "quit") and not self.game.sheet:
             self._save()
+
+    def _act(self, action: Action) -> None:
+        """Let the game do it, with what keeps or compares its record looking on."""
+        if self.journal is None:
+            self.game.perform(action)
+            return
+        self.journal.before(action)
+        (self.replay or self.game).perform(action)
+        self.journal.after()
+
+    def _watch(self, replay: Replay, event: pygame.event.Event) -> None:
+        """Take an event while a record is played: it can be held and left, and be heard or not."""
+        if event.type != pygame.KEYDOWN:
+            return
+        action = self.preferences.keys.play.get(event.key)
+        if event.key == pygame.K_ESCAPE:
+            self.perform(Action("quit"))
+        elif action in (Action("pause"), Action("stop")) and not replay.done:
+            replay.paused = not replay.paused
+            self._tell(replay)
+        elif action == Action("mute"):
+            self.perform(action)
+
+    def _replay(self, replay: Replay, end: int) -> int:
+        """Play the record on to a tick, or to its end; returns the tick reached."""
+        if replay.paused or replay.done:
+            return self.game.tick
+        end = min(end, replay.end)
+        for tick, action in replay.due(end):
+            self.update(tick - self.game.tick)
+            self.perform(action)
+        self.update(end - self.game.tick)
+        self._tell(replay)
+        self.game.over = self.game.over or (replay.done and self.options.virtual)
+        return end
+
+    def _tell(self, replay: Replay) -> None:
+        """Say in the window how the replay stands."""
+        notice = Notice(f"replay.{replay.state}", error=replay.differs is not None)
+        if notice != self.game.notice:
+            self.game.notice = notice
+            self.game.news += 1
+            self.game.version += 1
 
     def _restyle(self, action: Action) -> None:
         """Show what has been chosen for seeing and hearing."""
@@ -217,6 +269,8 @@ class App:
         """Let time pass in the game and roll the balls in the picture."""
         time = self.game.world.time
         self.game.advance(ticks)
+        if self.journal is not None:
+            self.journal.passed()
         if self.game.world.time != time:
             self.view.stage.roll(self.game, self.game.world.time - time)
 
@@ -244,6 +298,14 @@ class App:
         pygame.display.update(dirty)
         self.stats.drawn += 1
         return True
+
+    def close(self) -> None:
+        """Keep what is to be kept, and give the devices back."""
+        if self.journal is not None:
+            self.journal.close()
+        self.preferences.save()
+        self.preferences.audio.close()
+        pygame.display.quit()
 
     def save(self, path: str) -> None:
         """Write the picture to a file; pygame.error or OSError if that cannot be."""

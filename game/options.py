@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import argparse
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, replace
+from typing import NoReturn
 
 from . import setup
 from .scriptformat import FORMAT
 from .text import LANGUAGES
 
+VIEW = frozenset(
+    {"lang", "size", "fps", "frames", "script", "screenshot", "stats", "version"}
+    | {"settings", "record", "replay", "headless", "given"}
+)
+"""Options that leave no trace in what the balls do: a record leaves them out."""
 SMALLEST = (640, 360)
 LARGEST = 16384
 
@@ -49,12 +55,39 @@ class Options:
 
 def read(arguments: list[str] | None = None) -> Options:
     """Read the command line; on anything unknown say so on stderr and exit with 2."""
-    found = vars(_parser().parse_args(arguments))
+    parser = _parser()
+    found = vars(parser.parse_args(arguments))
+    if "replay" in found and "record" in found:
+        parser.error("--record and --replay exclude each other")
+    if "headless" in found and "replay" not in found:
+        parser.error("--headless needs --replay")
     return Options(**found, given=frozenset(found))
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+def of_setup(begun: Mapping[str, object], options: Options) -> Options:
+    """Return the options with those of a game that was recorded; ValueError if there are none such.
+
+    They are read as the command line is: what it refuses is refused here.
+    """
+    usual = {f.name: f.default for f in fields(Options) if f.name not in VIEW}
+    said = [f"--{name}={value}" for name, value in begun.items() if value is not None]
+    strange = begun.keys() - usual.keys()
+    if strange:
+        raise ValueError(f"unknown setup: {', '.join(sorted(strange))}")
+    return replace(options, **{**usual, **vars(_parser(_Raising).parse_args(said))})
+
+
+class _Raising(argparse.ArgumentParser):
+    """Says what is wrong to the program instead of to the terminal."""
+
+    def error(self, message: str) -> NoReturn:
+        raise ValueError(message)
+
+
+def _parser(
+    kind: type[argparse.ArgumentParser] = argparse.ArgumentParser,
+) -> argparse.ArgumentParser:
+    parser = kind(
         prog="danggu",
         description="Billiards with exact physics: type V, three spins and an angle, and watch.",
         epilog=FORMAT,

@@ -178,6 +178,10 @@ WORDS = {
     "key.help": "page of keys",
     "key.language": "한국어 / English",
     "key.settings": "settings",
+    "notice.replay.playing": "Replay · P pauses · Esc leaves",
+    "notice.replay.paused": "Replay paused · P goes on",
+    "notice.replay.same": "Replay over · came out the same",
+    "notice.replay.differs": "Replay came out differently",
     "notice.settings.broken": "Settings broken · kept as .broken",
     "notice.settings.unsaved": "Settings cannot be saved",
 }

@@ -178,6 +178,10 @@ WORDS = {
     "key.help": "도움말",
     "key.language": "한국어 / English",
     "key.settings": "설정",
+    "notice.replay.playing": "재생 · P 멈춤 · Esc 나가기",
+    "notice.replay.paused": "재생 멈춤 · P 계속",
+    "notice.replay.same": "재생 끝 · 결과가 같습니다",
+    "notice.replay.differs": "재생 결과가 다릅니다",
     "notice.settings.broken": "설정 파일이 깨져 .broken으로 보관",
     "notice.settings.unsaved": "설정을 저장할 수 없습니다",
 }
