@@ -186,3 +186,19 @@ def test_a_cloth_without_friction_and_walls_has_no_traps():
     world.run()
     assert [event.kind for event in world.log] == ["ball"]
     assert world.log[0].time == pytest.approx(1e3 - 0.0655, rel=1e-15)
+
+
+def test_a_cluster_does_the_same_work():
+    distributed = pytest.importorskip("distributed", reason="needs the extra `cluster`")
+    world, shots = scenes.carom(), fan(60)
+    alone = simulate_many(world, "white", shots, compiled=False)
+    with (
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=False, dashboard_address=None
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        executor = client.get_executor()
+        together = simulate_many(world, "white", shots, executor=executor, compiled=False)
+    for a, b in zip(alone, together, strict=True):
+        assert np.array_equal(a, b)
