@@ -66,6 +66,7 @@ BALL_LAWS: tuple[laws.BallLaw, ...] = (
 CUSHION_LAWS: tuple[laws.CushionLaw, ...] = (
     laws.RigidCushion(), laws.RigidCushion(0.9, 0.1, 1.4), laws.RigidCushion(1.0, 0.0, 1.0),
     laws.RigidCushion(0.0, 0.5, 1.2), laws.ThesisCushion(), laws.CappedCushion(),
+    laws.MathavanCushion(), laws.MathavanCushion(0.98, 0.14, 0.212, 1.4),
 )  # fmt: skip
 
 
