@@ -13,4 +13,4 @@ def cap_name(key: str, words: dict[str, str]) -> str:
     """Return the sign or word for a key by pygame's name of it."""
     if key == "space":
         return words["name.space"]
-    return SIGNS.get(key) or (key.upper() if len(key) <= 3 else key.capitalize())
+    return SIGNS.get(key) or (key.upper() if key[1:].isdigit() else key.capitalize())

@@ -21,7 +21,7 @@ from game.render.theme import (
     Colour,
 )
 
-from .choices import CHOSEN, ROWS, Row, current
+from .choices import CHOSEN, KEYS, ROWS, Row, current
 from .keycap import cap_name
 from .parts import Sight
 
@@ -31,7 +31,7 @@ TOP = 66
 """Where the rows begin, below the title."""
 FOOT = 44
 ROW, GAP = 38, 12
-LABEL = 116
+LABEL = 132
 SPLIT = 0.56
 """Share of the width at which the keys begin."""
 KEY_ROW = 26
@@ -63,7 +63,7 @@ def panel(layout: Layout) -> pygame.Rect:
 
 def keys_shown(layout: Layout) -> int:
     """Return how many rows of keys there is room for."""
-    return int((HEIGHT - TOP - FOOT) * layout.s / (KEY_ROW * layout.s))
+    return min((HEIGHT - TOP - FOOT) // KEY_ROW, len(KEYS))
 
 
 def row_rect(index: int, layout: Layout, first: int) -> pygame.Rect | None:
@@ -83,16 +83,16 @@ def row_rect(index: int, layout: Layout, first: int) -> pygame.Rect | None:
 
 
 def cells(index: int, sight: Sight) -> list[tuple[pygame.Rect, str]]:
-    """Return the choices of a row and where they are, from the right end to the left."""
+    """Return the choices of a row and where they are."""
     row, rect = ROWS[index], row_rect(index, sight.layout, 0)
     if rect is None or row.kind not in ("choice", "switch"):
         return []
     s, found = sight.layout.s, []
-    right = rect.right - round(4 * s)
-    for key in reversed(row.keys):
+    left = rect.x + round(LABEL * s)
+    for key in row.keys:
         wide = sight.type.width(choice_word(row, key, sight), 13) + round(20 * s)
-        found.append((pygame.Rect(right - wide, rect.y + round(4 * s), wide, round(26 * s)), key))
-        right -= wide + round(3 * s)
+        found.append((pygame.Rect(left, rect.y + round(4 * s), wide, round(26 * s)), key))
+        left += wide + round(3 * s)
     return found
 
 
@@ -101,7 +101,7 @@ def track(index: int, sight: Sight) -> pygame.Rect:
     rect, s = row_rect(index, sight.layout, 0), sight.layout.s
     assert rect is not None, "sliders are not scrolled"
     bar = pygame.Rect(0, 0, round(210 * s), max(4, round(6 * s)))
-    bar.midright = (rect.right - round(48 * s), rect.centery)
+    bar.midleft = (rect.x + round((LABEL + 10) * s), rect.centery)
     return bar
 
 
@@ -155,11 +155,26 @@ def draw(surface: pygame.Surface, sight: Sight, state: State) -> pygame.Rect:
         spot = row_rect(index, layout, state.first)
         if spot is not None:
             _row(surface, sight, state, index, row, spot)
+    _scroll_bar(surface, layout, state.first)
     said, colour = _foot(sight, state)
     room = rect.w - 2 * PAD * s
     foot = (rect.x + PAD * s, rect.bottom - 16 * s)
     type_.draw(surface, type_.fitted(said, 13, room), foot, 13, colour)
     return rect
+
+
+def _scroll_bar(surface: pygame.Surface, layout: Layout, first: int) -> None:
+    """Show which of the keys are on show, if not all of them are."""
+    shown, s, rect = keys_shown(layout), layout.s, panel(layout)
+    if shown == len(KEYS):
+        return
+    reach = shown * KEY_ROW * s
+    bar = pygame.Rect(0, 0, max(2, round(4 * s)), round(reach))
+    bar.topright = rect.right - round(8 * s), rect.y + round(TOP * s)
+    shapes.bar(surface, bar, LINE)
+    part = bar.move(0, round(reach * first / len(KEYS)))
+    part.h = round(reach * shown / len(KEYS))
+    shapes.bar(surface, part, LINE_INPUT)
 
 
 def _foot(sight: Sight, state: State) -> tuple[str, Colour]:
