@@ -42,7 +42,7 @@ class Ball:
     there. ValueError, naming the ball and the value, for anything not finite or not positive.
     """
 
-    __slots__ = ("_body", "_clock", "name")
+    __slots__ = ("_body", "_clock", "_name")
 
     def __init__(
         self,
@@ -53,7 +53,7 @@ class Ball:
         radius: float = 0.03275,
         mass: float = 0.25,
     ) -> None:
-        self.name = name
+        self._name = name
         self._clock = Clock(NOWHERE)
         self._body = Body(
             positive(f"ball {name!r}: radius", radius), positive(f"ball {name!r}: mass", mass)
@@ -64,6 +64,11 @@ class Ball:
 
     def __repr__(self) -> str:
         return f"Ball({self.name!r}, at={self.position}, {self.phase})"
+
+    @property
+    def name(self) -> str:
+        """By which its world knows it."""
+        return self._name
 
     @property
     def radius(self) -> float:
@@ -147,5 +152,5 @@ class Ball:
     def twin(self, clock: Clock) -> "Ball":
         """The same ball, on the same leg, in another world."""
         ball = Ball.__new__(Ball)
-        ball.name, ball._clock, ball._body = self.name, clock, twin(self._body)
+        ball._name, ball._clock, ball._body = self._name, clock, twin(self._body)
         return ball

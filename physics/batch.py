@@ -9,6 +9,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .ball import Ball
+from .checks import LARGEST
 from .engine import EventDriven
 from .kernel import body, calendar
 from .laws import ForeignRule
@@ -74,10 +75,15 @@ def simulate_many(
 
 def _table(shots: Any, np: Any) -> Any:
     """The shots as an array (shots, 5), each of them one that could be played."""
-    if not isinstance(shots, np.ndarray):
-        shots = [_numbers(shot) if isinstance(shot, Shot) else shot for shot in shots]
-    table = np.asarray(shots, float).reshape(-1, 5) if len(shots) else np.empty((0, 5))
-    for bad in np.flatnonzero(~(np.isfinite(table).all(axis=1) & (table[:, 0] > 0.0))):
+    try:
+        if not isinstance(shots, np.ndarray):
+            shots = [_numbers(shot) if isinstance(shot, Shot) else shot for shot in shots]
+        table = np.asarray(shots, float) if len(shots) else np.empty((0, 5))
+    except (TypeError, ValueError):
+        raise ValueError(f"shots must be Shots or rows of 5 numbers, not {shots!r:.80}") from None
+    if table.ndim != 2 or table.shape[1] != 5:
+        raise ValueError(f"shots must be Shots or an array (shots, 5), not {table.shape}")
+    for bad in np.flatnonzero(~((abs(table) <= LARGEST).all(axis=1) & (table[:, 0] > 0.0))):
         try:
             Shot(*table[bad].tolist())
         except ValueError as error:

@@ -1,17 +1,21 @@
 """Numbers from outside: refused with their name when they are not what they should be."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import isfinite
+
+LARGEST = 1e50  # in any unit: its fourth power is still a number, and so is all that comes of it
 
 
 def finite(name: str, value: float) -> float:
-    """The value as a float, or ValueError with its name."""
+    """The value as a plain float, or ValueError with its name; NumPy's numbers become plain."""
     try:
-        number = float(value)
+        number = float("text" if isinstance(value, str | bytes | bytearray) else value)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name} must be a number, not {value!r}") from None
     if not isfinite(number):
         raise ValueError(f"{name} must be finite, not {value!r}")
+    if abs(number) > LARGEST:
+        raise ValueError(f"{name} must be at most {LARGEST:g}, not {value!r}")
     return number
 
 
@@ -27,6 +31,13 @@ def nonnegative(name: str, value: float) -> float:
     if number < 0.0:
         raise ValueError(f"{name} must not be negative, not {value!r}")
     return number
+
+
+def keep(owner: object, check: Callable[[str, float], float], *names: str) -> None:
+    """Check these fields of a frozen dataclass, each under its full name, and make them floats."""
+    for name in names:
+        number = check(f"{type(owner).__name__}.{name}", getattr(owner, name))
+        object.__setattr__(owner, name, number)
 
 
 def vector(name: str, value: Sequence[float], length: int) -> tuple[float, ...]:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from .checks import nonnegative
+from .checks import keep, nonnegative
 from .kernel.body import Felt
 
 
@@ -21,8 +21,7 @@ class Cloth:
     gravity: float = 9.8
 
     def __post_init__(self) -> None:
-        for name in ("slide", "roll", "spin_decay", "gravity"):
-            nonnegative(f"Cloth.{name}", getattr(self, name))
+        keep(self, nonnegative, "slide", "roll", "spin_decay", "gravity")
 
     def felt(self) -> Felt:
         """The decelerations that the kernel works with."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import atan, cos, degrees, hypot, radians, sin, sqrt
 from typing import Protocol
 
-from .checks import finite, nonnegative, positive
+from .checks import finite, keep, nonnegative, positive
 from .shot import Shot
 
 
@@ -40,12 +40,9 @@ class CueStroke:
     friction: float = 0.6
 
     def __post_init__(self) -> None:
-        for name in ("speed", "cue_mass", "end_ratio"):
-            positive(f"CueStroke.{name}", getattr(self, name))
-        for name in ("angle", "side", "height"):
-            finite(f"CueStroke.{name}", getattr(self, name))
-        for name in ("elevation", "friction", "restitution"):
-            nonnegative(f"CueStroke.{name}", getattr(self, name))
+        keep(self, positive, "speed", "cue_mass", "end_ratio")
+        keep(self, finite, "angle", "side", "height")
+        keep(self, nonnegative, "elevation", "friction", "restitution")
         if self.elevation >= 90.0:
             raise ValueError(f"CueStroke.elevation must be below 90°, not {self.elevation!r}")
         if self.restitution > 1.0:

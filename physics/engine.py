@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
-from .checks import nonnegative, positive
+from .checks import keep, nonnegative, positive
 from .kernel.calendar import CLUSTER, NOTHING, PAIR, happen, plan_meetings, soonest, start_leg
 from .kernel.grid import locate
 
@@ -52,7 +52,7 @@ class EventDriven:
     budget: int = 100_000
 
     def __post_init__(self) -> None:
-        nonnegative("EventDriven.vmin", self.vmin)
+        keep(self, nonnegative, "vmin")
         positive("EventDriven.budget", self.budget)
 
     def plan(self, world: "World", disturbed: list[int]) -> None:

@@ -13,26 +13,27 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import Any, ClassVar
 
-from .checks import finite, nonnegative, positive
+from .checks import finite, keep, nonnegative, positive
 from .kernel import laws as kernel
 from .kernel.body import Rule
 
 CushionState = tuple[complex, complex, float]
 
 
-def _restitution(law: object, e: float) -> None:
-    if not 0.0 <= finite(f"{type(law).__name__}.e", e) <= 1.0:
-        raise ValueError(f"{type(law).__name__}.e must be from 0 to 1, not {e!r}")
+def _fraction(name: str, value: float) -> float:
+    if not 0.0 <= finite(name, value) <= 1.0:
+        raise ValueError(f"{name} must be from 0 to 1, not {value!r}")
+    return float(value)
 
 
-def _height(law: object, nose: float) -> float:
-    if not 0.0 < finite(f"{type(law).__name__}.nose", nose) < 2.0:
-        raise ValueError(f"{type(law).__name__}.nose (h/R) must be between 0 and 2, not {nose!r}")
-    return nose - 1.0
+def _height(name: str, value: float) -> float:
+    if not 0.0 < finite(name, value) < 2.0:
+        raise ValueError(f"{name} (h/R) must be between 0 and 2, not {value!r}")
+    return float(value)
 
 
-def _bent(law: object, kind: int, e: float, mu: float, nose: float) -> Rule:
-    height = _height(law, nose)
+def _bent(kind: int, e: float, mu: float, nose: float) -> Rule:
+    height = nose - 1.0
     return Rule(kind, e, mu, height, sqrt(1.0 - height * height))
 
 
@@ -77,12 +78,12 @@ class RigidCushion(_CushionLaw):
     nose: float = 1.203
 
     def __post_init__(self) -> None:
-        _restitution(self, self.e)
-        nonnegative("RigidCushion.mu", self.mu)
-        _height(self, self.nose)
+        keep(self, _fraction, "e")
+        keep(self, nonnegative, "mu")
+        keep(self, _height, "nose")
 
     def rule(self) -> Rule:
-        return _bent(self, kernel.RIGID_CUSHION, self.e, self.mu, self.nose)
+        return _bent(kernel.RIGID_CUSHION, self.e, self.mu, self.nose)
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,16 +100,15 @@ class MathavanCushion(_CushionLaw):
     nose: float = 1.203
 
     def __post_init__(self) -> None:
-        _restitution(self, self.e)
-        nonnegative("MathavanCushion.mu", self.mu)
-        nonnegative("MathavanCushion.slide", self.slide)
+        keep(self, _fraction, "e", "mu", "slide")
+        keep(self, _height, "nose")
         rule = self.rule()
         pressed = max(0.0, rule.height + rule.level * self.mu)
         if rule.level - abs(rule.height) * self.mu - self.slide * pressed <= 0.0:
             raise ValueError(f"{self!r}: the ball would jam between nose and cloth")
 
     def rule(self) -> Rule:
-        rule = _bent(self, kernel.MATHAVAN_CUSHION, self.e, self.mu, self.nose)
+        rule = _bent(kernel.MATHAVAN_CUSHION, self.e, self.mu, self.nose)
         rule.slide = self.slide
         return rule
 
@@ -126,11 +126,11 @@ class ThesisCushion(_CushionLaw):
     mu: float = 0.1
 
     def __post_init__(self) -> None:
-        _restitution(self, self.e)
-        nonnegative("ThesisCushion.mu", self.mu)
+        keep(self, _fraction, "e")
+        keep(self, nonnegative, "mu")
 
     def rule(self) -> Rule:
-        return _bent(self, kernel.THESIS_CUSHION, self.e, self.mu, 1.4)
+        return _bent(kernel.THESIS_CUSHION, self.e, self.mu, 1.4)
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,11 +141,11 @@ class CappedCushion(_CushionLaw):
     mu: float = 0.1
 
     def __post_init__(self) -> None:
-        _restitution(self, self.e)
-        nonnegative("CappedCushion.mu", self.mu)
+        keep(self, _fraction, "e")
+        keep(self, nonnegative, "mu")
 
     def rule(self) -> Rule:
-        return _bent(self, kernel.CAPPED_CUSHION, self.e, self.mu, 1.4)
+        return _bent(kernel.CAPPED_CUSHION, self.e, self.mu, 1.4)
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,7 +155,7 @@ class SmoothBall(_BallLaw):
     e: float = 0.95
 
     def __post_init__(self) -> None:
-        _restitution(self, self.e)
+        keep(self, _fraction, "e")
 
     def rule(self) -> Rule:
         return Rule(kernel.SMOOTH_BALL, self.e)
@@ -169,12 +169,12 @@ class RoughBall(_BallLaw):
     mu: float | str = "alciatore"
 
     def __post_init__(self) -> None:
-        _restitution(self, self.e)
+        keep(self, _fraction, "e")
         if isinstance(self.mu, str):
             if self.mu != "alciatore":
                 raise ValueError(f'RoughBall.mu must be a number or "alciatore", not {self.mu!r}')
         else:
-            nonnegative("RoughBall.mu", self.mu)
+            keep(self, nonnegative, "mu")
 
     def rule(self) -> Rule:
         if isinstance(self.mu, str):
@@ -194,7 +194,7 @@ class ThesisBall:
     e: float = 0.95
 
     def __post_init__(self) -> None:
-        _restitution(self, self.e)
+        keep(self, _fraction, "e")
 
     def rule(self) -> Rule:
         return Rule(kernel.THESIS_BALL, self.e)
@@ -214,9 +214,9 @@ class HertzCluster:
     gap: float = 1e-8
 
     def __post_init__(self) -> None:
-        nonnegative("HertzCluster.gap", self.gap)
+        keep(self, nonnegative, "gap")
         if self.e is not None:
-            _restitution(self, self.e)
+            keep(self, _fraction, "e")
             positive("HertzCluster.e", self.e)
 
 
@@ -240,7 +240,7 @@ def cushion_law(law: "str | CushionLaw") -> CushionLaw:
         "rigid": RigidCushion, "mathavan": MathavanCushion,
         "thesis": ThesisCushion, "capped": CappedCushion,
     }  # fmt: skip
-    found: CushionLaw = _law("cushion law", law, names)
+    found: CushionLaw = _law("cushion law", law, names, (_BallLaw, ThesisBall))
     return found
 
 
@@ -249,7 +249,7 @@ def ball_law(law: "str | BallLaw") -> BallLaw:
     names: dict[str, Callable[[], BallLaw]] = {
         "smooth": SmoothBall, "rough": RoughBall, "thesis": ThesisBall
     }  # fmt: skip
-    found: BallLaw = _law("ball law", law, names)
+    found: BallLaw = _law("ball law", law, names, (_CushionLaw,))
     return found
 
 
@@ -262,13 +262,16 @@ def cluster_law(law: "str | HertzCluster | None") -> HertzCluster | None:
     raise ValueError(f'cluster law must be None, "hertz" or a HertzCluster, not {law!r}')
 
 
-def _law(what: str, law: Any, names: dict[str, Callable[[], Any]]) -> Any:
+def _law(
+    what: str, law: Any, names: dict[str, Callable[[], Any]], others: tuple[type, ...]
+) -> Any:
     if isinstance(law, str):
         if law not in names:
             known = ", ".join(sorted(names))
             raise ValueError(f"unknown {what} {law!r}: one of {known}, or a callable")
         return names[law]()
-    if isinstance(law, type) or not (callable(law) or isinstance(law, ThesisBall)):
+    ours = callable(law) or isinstance(law, ThesisBall)
+    if not ours or isinstance(law, (type, *others)):
         raise ValueError(f"{what} must be a name, a law or a callable, not {law!r}")
     return law
 

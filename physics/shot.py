@@ -4,7 +4,7 @@ from cmath import rect
 from dataclasses import dataclass
 from math import radians
 
-from .checks import finite, positive
+from .checks import finite, keep, positive
 
 QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
 
@@ -33,9 +33,8 @@ class Shot:
     side: float = 0.0
 
     def __post_init__(self) -> None:
-        positive("Shot.speed", self.speed)
-        for name in ("angle", "follow", "masse", "side"):
-            finite(f"Shot.{name}", getattr(self, name))
+        keep(self, positive, "speed")
+        keep(self, finite, "angle", "follow", "masse", "side")
 
     def velocity(self) -> complex:
         """m/s, in the plane of the table."""

@@ -7,7 +7,7 @@ from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 from . import literal, naive
-from .checks import nonnegative, positive
+from .checks import keep, nonnegative, positive
 from .engine import EventBudgetError
 from .kernel.motion import RESTING, carry
 from .overlap import contacts, end_phase, launch, mark
@@ -76,8 +76,8 @@ class TimeStepping:
     budget: int = 100_000
 
     def __post_init__(self) -> None:
-        positive("TimeStepping.dt", self.dt)
-        nonnegative("TimeStepping.vmin", self.vmin)
+        keep(self, positive, "dt")
+        keep(self, nonnegative, "vmin")
         positive("TimeStepping.budget", self.budget)
         if self.scheme not in SCHEMES:
             names = ", ".join(SCHEMES)

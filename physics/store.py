@@ -40,6 +40,8 @@ def dumps(thing: World | Shot) -> str:
     """
     if isinstance(thing, Shot):
         data = shot_data(thing)
+    elif not isinstance(thing, World):
+        raise ValueError(f"only a World or a Shot can be saved, not {thing!r}")
     else:
         insist_on_names(thing)
         data = world_data(thing)

@@ -22,6 +22,7 @@ def trace(
     import numpy as np
 
     rate = positive("trace rate", rate)
+    world.plan()  # what has just been put there is on a leg, too
     start = world.log.start
     samples = ceil((world.time - start) * rate) + 1
     times = start + np.arange(samples) / rate

@@ -6,6 +6,8 @@ from .checks import finite, vector
 from .kernel.body import Line
 from .kernel.motion import length
 
+UNIT = 1e-9  # how far the length of a normal may be from 1
+
 
 @dataclass(frozen=True, slots=True)
 class Wall:
@@ -18,6 +20,11 @@ class Wall:
     normal: complex
     offset: float
     name: str | None = None
+
+    def __post_init__(self) -> None:
+        finite("Wall.offset", self.offset)
+        if not abs(length(self.normal) - 1.0) < UNIT:
+            raise ValueError(f"Wall.normal must be of length 1, not {self.normal!r}")
 
     @classmethod
     def line(cls, a: float, b: float, d: float, name: str | None = None) -> "Wall":

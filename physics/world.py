@@ -1,11 +1,11 @@
 """The world: balls, walls and laws on one cloth, and the moment they are at."""
 
-from math import inf, isnan
+from math import inf
 from typing import TypeVar
 
 from . import laws
 from .ball import DISTURBED, Ball, Clock
-from .checks import nonnegative
+from .checks import finite, nonnegative
 from .cloth import Cloth
 from .engine import Engine, EventDriven
 from .kernel.body import Scene, grid, no_grid, ties, twin_grid
@@ -35,8 +35,8 @@ class World:
         cushion_law: str | laws.CushionLaw = "rigid",
         engine: Engine | None = None,
     ) -> None:
-        self._cloth = Cloth() if cloth is None else cloth
-        self._engine: Engine = EventDriven() if engine is None else engine
+        self._cloth = Cloth() if cloth is None else _cloth(cloth)
+        self._engine: Engine = EventDriven() if engine is None else _engine(engine)
         self._ball_law = laws.ball_law(ball_law)
         self._cushion_law = laws.cushion_law(cushion_law)
         self._cluster_law: laws.HertzCluster | None = None
@@ -113,8 +113,9 @@ class World:
 
     @cloth.setter
     def cloth(self, cloth: Cloth) -> None:
+        self._cloth = _cloth(cloth)
         self._disturb()
-        self._cloth, self._clock.cloth = cloth, cloth.felt()
+        self._clock.cloth = cloth.felt()
         self.scene = self.scene._replace(cloth=self._clock.cloth)
 
     @property
@@ -154,8 +155,8 @@ class World:
 
     @engine.setter
     def engine(self, engine: Engine) -> None:
+        self._engine = _engine(engine)
         self._disturb()
-        self._engine = engine
         self._renew_rules()
 
     def _rules(self) -> tuple[object, object]:
@@ -210,6 +211,8 @@ class World:
 
     def strike(self, ball: Ball | str, shot: Shot) -> None:
         """Give a ball the velocity and spin of the shot, whatever it did before."""
+        if not isinstance(shot, Shot):
+            raise ValueError(f"World.strike takes a Shot, not {shot!r}")
         body = self.ball(ball).disturb()
         body.velocity, body.roll, body.side = shot.velocity(), shot.roll(), shot.side
 
@@ -239,7 +242,9 @@ class World:
 
     def run(self, until: float = inf) -> None:
         """Let time pass till all balls rest, or till world time `until`, s, that included."""
-        if isnan(until) or until < self.time:
+        if until != inf:
+            until = finite("World.run until", until)
+        if until < self.time:
             raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
         if self._watched:
             with undone(self):
@@ -334,6 +339,18 @@ class World:
                     break
                 if length(q - p) < r + s - OVERLAP:
                     raise ValueError(f"{ball!r} and {other!r} overlap")
+
+
+def _cloth(cloth: Cloth) -> Cloth:
+    if not isinstance(cloth, Cloth):
+        raise ValueError(f"a world's cloth is a Cloth, not {cloth!r}")
+    return cloth
+
+
+def _engine(engine: Engine) -> Engine:
+    if isinstance(engine, type) or not all(hasattr(engine, a) for a in ("vmin", "plan", "advance")):
+        raise ValueError(f"an engine is an EventDriven(...) or TimeStepping(...), not {engine!r}")
+    return engine
 
 
 def simulate(world: World, ball: Ball | str, shot: Shot) -> World:

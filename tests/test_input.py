@@ -1,0 +1,148 @@
+"""What somebody hands in: made plain numbers, or refused by name before anything changes."""
+
+from dataclasses import fields
+from math import inf, nan
+
+import numpy as np
+import pytest
+
+from physics import (
+    Ball,
+    Cloth,
+    CueStroke,
+    EventDriven,
+    Shot,
+    TimeStepping,
+    Wall,
+    World,
+    laws,
+    scenes,
+    simulate,
+    simulate_many,
+    store,
+    trace,
+)
+
+KEPT = [
+    (Cloth, {"slide": 0.25}), (EventDriven, {"vmin": 0.5}), (TimeStepping, {"dt": 0.125}),
+    (CueStroke, {"speed": 3.0, "side": 0.25}), (laws.RigidCushion, {"e": 0.75, "nose": 1.25}),
+    (laws.MathavanCushion, {"mu": 0.25}), (laws.ThesisCushion, {"mu": 0.25}),
+    (laws.CappedCushion, {"mu": 0.25}), (laws.SmoothBall, {"e": 0.75}),
+    (laws.RoughBall, {"e": 0.75, "mu": 0.25}), (laws.ThesisBall, {"e": 0.75}),
+    (laws.HertzCluster, {"e": 0.75, "gap": 0.25}), (Shot, {"speed": 3.0, "angle": 37.0}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("number", [np.float64, np.float32, np.float16, int])
+def test_a_shot_in_numpys_numbers_has_the_digits_of_plain_ones(number):
+    """Half a degree in 32 bits is half a degree: the engine must not go on in 32 bits."""
+    plain, other = (
+        simulate(scenes.carom(), "white", Shot(kind(3), kind(37), kind(1), kind(-1), kind(2)))
+        for kind in (float, number)
+    )
+    assert [ball.position for ball in plain.balls] == [ball.position for ball in other.balls]
+    assert all(type(x) is float for ball in other.balls for x in ball.position)
+
+
+@pytest.mark.parametrize(("kind", "values"), KEPT, ids=lambda x: getattr(x, "__name__", ""))
+def test_what_is_kept_is_plain(kind, values):
+    kept = kind(**{name: np.float32(value) for name, value in values.items()})
+    assert kept == kind(**values)
+    assert all(type(getattr(kept, name)) is float for name in values)
+
+
+@pytest.mark.parametrize(("kind", "values"), KEPT, ids=lambda x: getattr(x, "__name__", ""))
+@pytest.mark.parametrize("bad", [nan, inf, -inf, 1e51, -1.0, "0.1", "\uff10", b"0.1", [0.1], 1j])
+def test_what_is_no_number_or_too_large_is_refused_by_name(kind, values, bad):
+    for name in values:
+        if bad == -1.0 and name in ("side", "angle"):
+            continue
+        with pytest.raises(ValueError, match=rf"{kind.__name__}\.{name}"):
+            kind(**{**values, name: bad})
+    assert {field.name for field in fields(kind)} >= set(values)
+
+
+def spoil(world, name, value):
+    setattr(world, name, value)
+
+
+REFUSED = [
+    (lambda world: spoil(world, "cloth", 0.2), "Cloth"),
+    (lambda world: spoil(world, "cloth", None), "Cloth"),
+    (lambda world: spoil(world, "engine", "exact"), "engine"),
+    (lambda world: spoil(world, "engine", EventDriven), "engine"),
+    (lambda world: spoil(world, "engine", None), "engine"),
+    (lambda world: spoil(world, "ball_law", laws.RigidCushion()), "ball law"),
+    (lambda world: spoil(world, "ball_law", laws.SmoothBall), "ball law"),
+    (lambda world: spoil(world, "cushion_law", laws.SmoothBall()), "cushion law"),
+    (lambda world: spoil(world, "cushion_law", laws.ThesisBall()), "cushion law"),
+    (lambda world: spoil(world, "cluster_law", laws.SmoothBall()), "cluster law"),
+    (lambda world: world.strike("white", 3.0), "Shot"),
+    (lambda world: world.strike(0, Shot(3.0)), "no ball 0"),
+    (lambda world: world.strike("blue", Shot(3.0)), "'blue'"),
+    (lambda world: world.run("1"), "until must be a number"),
+    (lambda world: world.run(None), "until must be a number"),
+    (lambda world: world.run(-inf), "until"),
+    (lambda world: world.step("0.1"), "dt must be a number"),
+    (lambda world: world.add("ball"), "Ball or a Wall"),
+    (lambda world: spoil(world.balls[0], "position", "12"), "'white': position"),
+    (lambda world: spoil(world.balls[0], "position", (1e60, 0.0)), "'white': position"),
+]
+
+
+@pytest.mark.parametrize(("act", "message"), REFUSED)
+def test_what_is_refused_leaves_a_world_in_mid_flight_as_it_was(act, message):
+    world, untouched = scenes.carom(), scenes.carom()
+    for each in (world, untouched):
+        each.strike("white", Shot(3.0, 37.0, follow=0.5, side=1.5))
+        each.run(until=0.7)
+    with pytest.raises(ValueError, match=message):
+        act(world)
+    for each in (world, untouched):
+        each.run()
+    assert list(world.log) == list(untouched.log)
+    assert [ball.position for ball in world.balls] == [ball.position for ball in untouched.balls]
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: World(cloth=0.2), "Cloth"),
+        (lambda: World(engine="exact"), "engine"),
+        (lambda: World(ball_law=laws.RigidCushion()), "ball law"),
+        (lambda: Wall(2 + 0j, 0.0), "Wall.normal"),
+        (lambda: Wall(complex(nan, 0), 0.0), "Wall.normal"),
+        (lambda: Wall(1 + 0j, inf), "Wall.offset"),
+        (lambda: Wall.line(1e60, 0.0, 0.0), "Wall.line a"),
+        (lambda: Wall.line(1e-60, 0.0, 1.0), "Wall.offset"),
+        (lambda: laws.MathavanCushion(mu=1.5), "MathavanCushion.mu"),
+        (lambda: laws.MathavanCushion(slide=1.5), "MathavanCushion.slide"),
+        (lambda: store.dumps(3.0), "World or a Shot"),
+    ],
+)
+def test_things_that_cannot_be_are_not_made(make, message):
+    with pytest.raises(ValueError, match=message):
+        make()
+
+
+@pytest.mark.parametrize(
+    "shots",
+    [
+        Shot(3.0), [[3.0, 10.0, 0.5]], np.ones((5, 10)), np.ones(5), np.ones((2, 5, 1)),
+        ["fast"], [None], 3.0,
+    ],
+)  # fmt: skip
+def test_shots_of_the_wrong_shape_are_not_taken_for_others(shots):
+    with pytest.raises(ValueError, match="shots must be"):
+        simulate_many(scenes.carom(), "white", shots)
+
+
+def test_a_ball_keeps_its_name():
+    with pytest.raises(AttributeError):
+        Ball("white", at=(0.0, 0.0)).name = "red"
+
+
+def test_a_world_that_has_not_run_yet_has_a_trace_of_one_moment():
+    times, paths = trace(scenes.carom())
+    assert times.tolist() == [0.0]
+    assert [tuple(p) for p in paths[0]] == [ball.position for ball in scenes.carom().balls]
