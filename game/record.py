@@ -56,8 +56,8 @@ def built_with() -> str:
 class Witness:
     """Sees every shot of a game end, and tells it: `tell(tick, digest)`.
 
-    A shot is over when the balls rest, or when an action stops them, puts them elsewhere or strikes
-    anew; then the digest is that of both, before and after.
+    A shot is over when the balls rest; when an action strikes anew, which tells how they were just
+    before; or when one stops them or puts them elsewhere, which tells how they were and are.
     """
 
     def __init__(self, game: Game, tell: Callable[[int, str], None]) -> None:
@@ -72,10 +72,13 @@ class Witness:
     def after(self) -> None:
         """The action has been done."""
         game = self.game
-        if self._before is not None and not (game.moving and self._shot == self._before[1]):
-            self.tell(
-                game.tick, blake2b((self._before[0] + digest(game)).encode()).hexdigest()[:32]
-            )
+        if self._before is not None:
+            found, shot = self._before
+            if not game.moving:
+                both = (found + digest(game)).encode()
+                self.tell(game.tick, blake2b(both, digest_size=16).hexdigest())
+            elif shot != self._shot:
+                self.tell(game.tick, found)
         self._moving = game.moving
 
     def passed(self) -> None:
