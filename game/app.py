@@ -227,7 +227,10 @@ class App:
     def _sheet(self, event: pygame.event.Event) -> None:
         """Take an event that is meant for the settings sheet."""
         self._shown_version = -1
-        self.perform(self.view.sheet.handle(event, self.view.sight))
+        action = self.view.sheet.handle(event, self.view.sight)
+        if action is not None:
+            self.view.expose()  # what it changes shows behind the page too
+            self.perform(action)
 
     def _text(self, event: pygame.event.Event) -> None:
         if not self.game.help:

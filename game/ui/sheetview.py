@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import pygame
@@ -21,7 +22,7 @@ from game.render.theme import (
     Colour,
 )
 
-from .choices import CHOSEN, KEYS, ROWS, Row, current
+from .choices import CHOSEN, KEYS, ROWS, Row, beside, current
 from .keycap import cap_name
 from .parts import Sight
 
@@ -31,7 +32,6 @@ TOP = 66
 """Where the rows begin, below the title."""
 FOOT = 44
 ROW, GAP = 38, 12
-LABEL = 132
 SPLIT = 0.56
 """Share of the width at which the keys begin."""
 KEY_ROW = 26
@@ -82,18 +82,47 @@ def row_rect(index: int, layout: Layout, first: int) -> pygame.Rect | None:
     return pygame.Rect(middle, top, rect.right - round(18 * s) - middle, round(KEY_ROW * s) - 1)
 
 
-def cells(index: int, sight: Sight) -> list[tuple[pygame.Rect, str]]:
-    """Return the choices of a row and where they are."""
+class Cell(NamedTuple):
+    """A choice: where it is, which key of its row it chooses, and what is written there."""
+
+    rect: pygame.Rect
+    key: str
+    word: str
+
+
+def cells(index: int, sight: Sight) -> list[Cell]:
+    """Return the choices of a row; where there is no room for all, the present one and arrows."""
     row, rect = ROWS[index], row_rect(index, sight.layout, 0)
     if rect is None or row.kind not in ("choice", "switch"):
         return []
+    left = rect.x + label_room(sight)
+    found = _side_by_side(
+        [(key, choice_word(row, key, sight)) for key in row.keys], left, rect, sight
+    )
+    if found[-1].rect.right <= rect.right:
+        return found
+    now = current(row, sight.game, sight.settings)
+    word = choice_word(row, now, sight) if now in row.keys else "–"
+    steps = [(beside(row, now, -1), "←"), (now, word), (beside(row, now, 1), "→")]
+    return _side_by_side(steps, left, rect, sight)
+
+
+def _side_by_side(
+    words: Sequence[tuple[str, str]], left: int, row: pygame.Rect, sight: Sight
+) -> list[Cell]:
     s, found = sight.layout.s, []
-    left = rect.x + round(LABEL * s)
-    for key in row.keys:
-        wide = sight.type.width(choice_word(row, key, sight), 13) + round(20 * s)
-        found.append((pygame.Rect(left, rect.y + round(4 * s), wide, round(26 * s)), key))
+    for key, word in words:
+        wide = sight.type.width(word, 13) + round(20 * s)
+        found.append(Cell(pygame.Rect(left, row.y + round(4 * s), wide, round(26 * s)), key, word))
         left += wide + round(3 * s)
     return found
+
+
+def label_room(sight: Sight) -> int:
+    """Return the px from a row's left edge to its choices: the longest label, and a gap."""
+    names = (sight.words[f"set.{row.name}"] for row in CHOSEN)
+    longest = max(sight.type.width(name, 13) for name in names)
+    return int(longest + round(36 * sight.layout.s))
 
 
 def track(index: int, sight: Sight) -> pygame.Rect:
@@ -101,7 +130,7 @@ def track(index: int, sight: Sight) -> pygame.Rect:
     rect, s = row_rect(index, sight.layout, 0), sight.layout.s
     assert rect is not None, "sliders are not scrolled"
     bar = pygame.Rect(0, 0, round(210 * s), max(4, round(6 * s)))
-    bar.midleft = (rect.x + round((LABEL + 10) * s), rect.centery)
+    bar.midleft = (rect.x + label_room(sight) + round(10 * s), rect.centery)
     return bar
 
 
@@ -127,7 +156,7 @@ def part_at(at: tuple[int, int], sight: Sight, first: int) -> Spot:
     for index in range(len(ROWS)):
         rect = row_rect(index, sight.layout, first)
         if rect is not None and rect.collidepoint(at):
-            keys = (key for cell, key in cells(index, sight) if cell.collidepoint(at))
+            keys = (cell.key for cell in cells(index, sight) if cell.rect.collidepoint(at))
             return index, next(keys, "")
     return NOTHING
 
@@ -221,14 +250,13 @@ def _row(
     now = current(row, sight.game, sight.settings)
     if row.kind == "slider":
         _slider(surface, sight, index, now, focused)
-    for cell, key in cells(index, sight):
+    for cell, key, word in cells(index, sight):
         hot = state.over == (index, key)
         if key == now:
             shapes.box(surface, cell, s, LINE_TRACK, LINE_INPUT, radius=4)
         elif hot:
             shapes.box(surface, cell, s, PANEL, LINE_INPUT, radius=4)
         ink = TEXT if key == now or hot else TEXT_SOFT
-        word = choice_word(row, key, sight)
         sight.type.draw(surface, word, (cell.centerx, base), 13, ink, "centre")
 
 

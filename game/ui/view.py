@@ -64,6 +64,7 @@ class View:
         self._news: tuple[int, str, str] | None = None
         self._overlay: Hashable = None
         self._sheet_look: Hashable = None
+        self._behind: pygame.Surface | None = None
         self._whole = True
 
     def expose(self) -> None:
@@ -94,6 +95,10 @@ class View:
         look = self.sheet.look(self.sight)
         if look == self._sheet_look:
             return []
+        if self._sheet_look is None or self._behind is None:
+            self._behind = surface.copy()
+        else:
+            surface.blit(self._behind, (0, 0))  # round corners must not be drawn over themselves
         self._sheet_look = look
         return [self.sheet.draw(surface, self.sight)]
 
