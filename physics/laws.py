@@ -135,7 +135,12 @@ class ThesisCushion(_CushionLaw):
 
 @dataclass(frozen=True, slots=True)
 class CappedCushion(_CushionLaw):
-    """The thesis's push, with friction that has its whole lever arm and stops at sticking."""
+    """The thesis's push, with friction that has its whole lever arm and stops at sticking.
+
+    The push creates energy for balls that do not roll (docs/physics.md).
+    """
+
+    creates_energy: ClassVar[bool] = True
 
     e: float = 0.9
     mu: float = 0.1

@@ -192,8 +192,11 @@ def test_a_warning_that_is_an_error_undoes_the_run_too():
 
 
 def test_no_named_law_warns_and_those_that_bend_physics_say_so():
-    for law in (laws.ThesisCushion, laws.CappedCushion, laws.RigidCushion):
-        assert law().creates_energy is (law is laws.ThesisCushion)
+    for law in (
+        laws.ThesisCushion(), laws.CappedCushion(), laws.RigidCushion(), laws.MathavanCushion()
+    ):  # fmt: skip
+        v, roll, _ = law(-1 + 0j, 0j, 0.0)  # a ball that does not turn
+        assert law.creates_energy is (abs(v) ** 2 + 0.4 * abs(roll) ** 2 > 1.0)
     for law in (laws.ThesisBall, laws.SmoothBall, laws.RoughBall):
         assert law().loses_momentum is (law is laws.ThesisBall)
     world = scenes.thesis_2()
