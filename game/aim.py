@@ -9,6 +9,8 @@ from math import isfinite
 
 from physics import Shot
 
+from .tip import Tip, tip_of
+
 BOXES = ("speed", "follow", "masse", "side", "angle")
 """V, Wx·R, Wy·R, Wz·R and the angle, as `physics.Shot` calls them, in the order of the boxes."""
 MOST = {"speed": 50.0, "follow": 100.0, "masse": 100.0, "side": 100.0, "angle": 3600.0}
@@ -87,6 +89,8 @@ class Aim:
     wrong: bool = False
     left: set[int] = field(default_factory=set)
     """Boxes that have been left since editing began: only their faults are shown."""
+    _held: tuple[Tip, list[str]] | None = None
+    """The tip point that was set last, and what the first four boxes were then given."""
 
     @property
     def faults(self) -> list[Fault]:
@@ -163,10 +167,43 @@ class Aim:
         self.wrong = self.wrong or not self.complete
         return self.complete
 
-    def put(self, **numbers: float) -> None:
-        """Write numbers into boxes by name, rounded to what a box shows."""
+    def put(self, places: int = 2, /, **numbers: float) -> None:
+        """Write numbers into boxes by name, rounded to so many places."""
         for name, number in numbers.items():
-            self.texts[BOXES.index(name)] = plain(number)
+            self.texts[BOXES.index(name)] = plain(number, places)
+
+    @property
+    def tip(self) -> Tip | None:
+        """Where the tip must meet the ball for the numbers in the boxes; None without a shot.
+
+        The boxes are rounded: while they hold what `hold` has written, it is what was held.
+        """
+        shot = self.shot
+        if shot is None:
+            return None
+        return self._held[0] if self._held and self._held[1] == self.texts[:4] else tip_of(shot)
+
+    def hold(self, tip: Tip, speed: float | None = None) -> None:
+        """Write the spins of a tip point for the speed, which stays if it is None."""
+        shot = self.shot
+        speed = speed or (shot.speed if shot else 0.0)
+        if speed:
+            self.put(speed=speed)
+            speed = value(self.texts[0])
+            self.put(**tip.spins(speed))
+            self._held = tip, self.texts[:4]
+
+    def speed(self, speed: float) -> None:
+        """Write a speed, and the spins that the same tip point then gives."""
+        tip, shot = self.tip, self.shot
+        if tip is not None and tip.elevation is not None:
+            self.hold(tip, speed)
+        elif shot is not None:
+            share = speed / shot.speed
+            spins = {name: share * getattr(shot, name) for name in ("follow", "masse", "side")}
+            self.put(speed=speed, **spins)
+        else:
+            self.put(speed=speed)
 
     def spent(self) -> None:
         """The shot has been played: the next one needs a new entry."""

@@ -6,7 +6,10 @@ Each takes the key that is wanted, or without one goes on to the next.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
+
+from physics import laws
 
 from . import setup
 from .text import LANGUAGES
@@ -38,6 +41,8 @@ def law(game: Game, key: str = "") -> None:
     kinds = setup.LAWS[key]
     ball, cushion = kinds.ball(), kinds.cushion()
     own = game.came_with
+    if isinstance(cushion, laws.MathavanCushion):  # the nose belongs to the table, not to the law
+        cushion = replace(cushion, nose=getattr(own.cushion_law, "nose", cushion.nose))
     if (type(own.ball_law), type(own.cushion_law)) == (type(ball), type(cushion)):
         ball, cushion = own.ball_law, own.cushion_law
     game.world.ball_law, game.world.cushion_law = ball, cushion

@@ -15,7 +15,7 @@ from .settings import CHOICES, LOUDEST, Settings, Store
 class Preferences:
     """Settings in use, and the file they are kept in, if there is one.
 
-    Its actions: mute · still · volume 0..10 · aids KEY (no key: the next one) · colours KEY ·
+    Its actions: mute · still · fan · volume 0..10 · aids KEY (no key: the next one) · colours KEY ·
     bind "ACTION KEY" · unbind ACTION.
     """
 
@@ -58,6 +58,9 @@ class Preferences:
     def _still(self, _: object) -> None:
         self.settings.still = not self.settings.still
 
+    def _fan(self, _: object) -> None:
+        self.settings.fan = not self.settings.fan
+
     def _volume(self, value: int) -> None:
         self.settings.volume = min(max(value, 0), LOUDEST)
         self._sound()
@@ -89,6 +92,6 @@ class Preferences:
         self.keys, self.settings.keys = keys, keys.changed
 
     _handlers: ClassVar[dict[str, Callable[..., None]]] = {
-        "mute": _mute, "still": _still, "volume": _volume, "aids": _aids, "colours": _colours,
+        "mute": _mute, "still": _still, "fan": _fan, "volume": _volume, "aids": _aids, "colours": _colours,
         "bind": _bind, "unbind": _unbind,
     }  # fmt: skip

@@ -39,7 +39,7 @@ LAWS = {
     for law in (
         LawSet("rigid", laws.RoughBall, laws.RigidCushion),
         LawSet("thesis", laws.ThesisBall, laws.ThesisCushion),
-        LawSet("capped", laws.SmoothBall, laws.CappedCushion),
+        LawSet("mathavan", laws.RoughBall, laws.MathavanCushion),
     )
 }
 ENGINES: dict[str, Callable[[], Any]] = {

@@ -4,19 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
+from itertools import pairwise
 from math import cos, pi, sin
 
 import numpy as np
 import pygame
 
 from . import light, lines, shapes, theme
+from game.tip import LIMIT
+
 from .cards import card
 from .text import Type
 from .theme import Colour, mix
 
 RED = theme.rgb("#C4162E")
-MISCUE = 0.5
-"""Farthest from the middle a chalked tip holds, in ball radii."""
+EIGHTHS_SHOWN = tuple(range(7, -8, -1))
+"""Where the cue ball can be sent past another, in eighths: + on its right; full in the middle."""
 
 
 def tip_circle(rect: pygame.Rect, s: float) -> tuple[tuple[float, float], float]:
@@ -55,10 +58,12 @@ def tip(
     values: Sequence[tuple[str, str]],
     safe: bool = True,
     body: Colour = theme.BALLS["white"].body,
+    refused: bool = False,
 ) -> pygame.Rect:
     """Draw the tip picker: `point` is (right, up) in ball radii, `values` are (label, value).
 
-    `safe` says whether the tip holds there; it decides the marker's colour.
+    `safe` says whether the tip holds there; it decides the marker's colour.  `refused` lights the
+    ring beyond which a point has been wished.
     """
     s = type_.s
     card(surface, rect, s)
@@ -66,21 +71,27 @@ def tip(
     (x, y), radius = tip_circle(rect, s)
     ball = _tip_ball(int(radius), body)
     surface.blit(ball, ball.get_rect(center=(x, y)))
-    _miscue_ring(surface, (x, y), MISCUE * radius, s)
+    _miscue_ring(surface, (x, y), LIMIT * radius, s, refused)
     _marker(surface, (x + point[0] * radius, y - point[1] * radius), radius, s, safe)
     right = rect.right - 12 * s
-    top = y - (len(values) * 48 - 8) / 2 * s
     for i, (label, value) in enumerate(values):
-        base = top + (8 + 48 * i) * s
+        base = rect.y + (50 + 38 * i) * s
         type_.draw(surface, label, (right, base), 13, theme.TEXT_SOFT, "right")
-        type_.draw(surface, value, (right, base + 21 * s), 17, theme.TEXT, "right")
+        type_.draw(surface, value, (right, base + 18 * s), 17, theme.TEXT, "right")
     return rect
 
 
 def _miscue_ring(
-    surface: pygame.Surface, centre: tuple[float, float], radius: float, s: float
+    surface: pygame.Surface,
+    centre: tuple[float, float],
+    radius: float,
+    s: float,
+    refused: bool,
 ) -> None:
-    """Draw the dashed circle beyond which the tip slips."""
+    """Draw the dashed circle beyond which the tip slips; whole and thick where it has to stop."""
+    if refused:
+        lines.ring(surface, centre, radius, RED, 3.5 * s, 1.0, 0.12)
+        return
     count = 96
     circle = [
         (centre[0] + radius * cos(2 * pi * i / count), centre[1] + radius * sin(2 * pi * i / count))
@@ -162,16 +173,47 @@ def thickness(
     s = type_.s
     card(surface, rect, s)
     type_.draw(surface, title, (rect.x + 12 * s, rect.y + 24 * s), 13, theme.TEXT_SOFT)
-    step = min(92 * s, (rect.w - 24 * s - 92 * s) / max(len(items), 1))
+    step = min(92 * s, (rect.w - 24 * s - 112 * s) / max(len(items), 1))
     for i, (value, below) in enumerate(items):
         left = rect.x + round(12 * s + i * step)
         type_.draw(surface, value, (left, rect.y + 59 * s), 26, theme.TEXT)
         type_.draw(surface, below, (left, rect.y + 81 * s), 12, theme.TEXT_SOFT)
     radius = min(20 * s, (rect.h - 24 * s) / 2)
     apart = 2 * radius * (1 - min(abs(overlap), 1.0)) * (1 if overlap >= 0 else -1)
-    centre = (rect.right - 54 * s, rect.centery)
+    centre = (rect.right - 66 * s, rect.centery - 9 * s)
     object_ball = (centre[0] - apart / 2, centre[1])
     cue_ball = (centre[0] + apart / 2, centre[1])
     lines.dot(surface, object_ball, radius, colour)
     lines.ring(surface, cue_ball, radius, mix(theme.PANEL, theme.WHITE, 0.96), 1.5 * s, 1.0, 0.25)
+    return rect
+
+
+def eighth_boxes(rect: pygame.Rect, s: float) -> list[pygame.Rect]:
+    """Return where the exact eighths of `EIGHTHS_SHOWN` are chosen, in the thickness card."""
+    if not rect.h:
+        return []
+    count, width = len(EIGHTHS_SHOWN), 112 * s
+    left = rect.right - 66 * s - width / 2
+    top, height = rect.bottom - round(27 * s), round(22 * s)
+    edges = [round(left + i * width / count) for i in range(count + 1)]
+    return [pygame.Rect(a, top, b - a, height) for a, b in pairwise(edges)]
+
+
+def eighths(
+    surface: pygame.Surface, rect: pygame.Rect, type_: Type, overlap: float, colour: Colour
+) -> pygame.Rect:
+    """Draw a tick for each eighth and a sign below the present `overlap` (as in `thickness`)."""
+    boxes, s = eighth_boxes(rect, type_.s), type_.s
+    if not boxes:
+        return rect
+    for box, eighth in zip(boxes, EIGHTHS_SHOWN, strict=True):
+        tall = round((9 if eighth == 0 else 7 if eighth % 4 == 0 else 4) * s)
+        tick = pygame.Rect(0, 0, max(1, round(s)), tall)
+        tick.midbottom = (box.centerx, box.y + round(11 * s))
+        surface.fill(theme.TEXT_SOFT if eighth % 4 == 0 else theme.LINE_INPUT, tick)
+    past = 8 * (1 - abs(overlap)) * (1 if overlap >= 0 else -1)
+    step = (boxes[-1].centerx - boxes[0].centerx) / (len(boxes) - 1)
+    x, y = boxes[len(boxes) // 2].centerx + 0.5 - past * step, boxes[0].y + 13 * s
+    x = min(max(x, boxes[0].x), boxes[-1].right)
+    lines.polygon(surface, [(x, y), (x - 4 * s, y + 6 * s), (x + 4 * s, y + 6 * s)], colour)
     return rect

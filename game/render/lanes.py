@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import pygame
 
-from . import lines, shapes, theme
+from . import shapes, signs, theme
 from .cards import card
 from .text import Type
 from .theme import Colour, mix
@@ -31,24 +32,47 @@ class Lane:
     rests: tuple[float, ...] = field(default=())
 
 
+class Buttons(NamedTuple):
+    """How the buttons look: whether undo and redo have anything to do, whether it plays, speed."""
+
+    undo: bool = False
+    redo: bool = False
+    playing: bool = False
+    rate: str = "\u00d71"
+
+
+IDLE = Buttons()
+BUTTONS = 5
+
+
 def buttons(rect: pygame.Rect, s: float) -> list[pygame.Rect]:
-    """Return where the three buttons are: to the beginning, play or pause, to the end."""
+    """Return where the buttons are: undo, redo, to the beginning, play or pause, to the end."""
     side = round(26 * s)
-    boxes = [pygame.Rect(0, 0, side, rect.h) for _ in range(3)]
+    boxes = [pygame.Rect(0, 0, side, rect.h) for _ in range(BUTTONS)]
     for i, box in enumerate(boxes):
-        box.center = (rect.x + round((17 + 27 * i) * s), rect.centery)
+        box.center = (rect.x + round((19 + 27 * i + (8 if i > 1 else 0)) * s), rect.centery)
     return boxes
 
 
 def track(rect: pygame.Rect, s: float) -> pygame.Rect:
     """Return the part of the strip whose left and right ends are the shot's beginning and end."""
-    left, right = rect.x + round(139 * s), rect.right - round(124 * s)
+    left, right = rect.x + round(226 * s), rect.right - round(124 * s)
     return pygame.Rect(left, rect.y, right - left, rect.h)
 
 
 def speed(rect: pygame.Rect, s: float) -> pygame.Rect:
-    """Return where the replay's speed is written."""
-    return pygame.Rect(rect.x + round(86 * s), rect.y, round(38 * s), rect.h)
+    """Return where the speed of time is written, with a sign for slower and faster beside it."""
+    return pygame.Rect(rect.x + round(151 * s), rect.y, round(58 * s), rect.h)
+
+
+def rate_halves(rect: pygame.Rect, s: float) -> tuple[pygame.Rect, pygame.Rect]:
+    """Return the halves of the speed: slower and faster."""
+    whole = speed(rect, s)
+    half = whole.w // 2
+    return (
+        pygame.Rect(whole.x, whole.y, half, whole.h),
+        pygame.Rect(whole.x + half, whole.y, whole.w - half, whole.h),
+    )
 
 
 def timeline(
@@ -58,9 +82,8 @@ def timeline(
     lanes: Sequence[Lane],
     duration: float,
     label: str,
-    rate: str = "\u00d71",
+    state: Buttons = IDLE,
     time: float | None = None,
-    playing: bool = False,
 ) -> pygame.Rect:
     """Draw the strip; without `time` it is a preview: paler, without a handle.
 
@@ -71,11 +94,8 @@ def timeline(
     surface.fill(theme.BACKGROUND, room)
     card(surface, rect, s)
     preview = time is None
-    ink = theme.TEXT_FAINT if preview else theme.TEXT
-    _buttons(surface, rect, s, ink, playing)
+    _buttons(surface, rect, type_, theme.TEXT_FAINT if preview else theme.TEXT, state)
     middle = rect.centery + type_.cap(13) / 2
-    where = speed(rect, s)
-    type_.draw(surface, rate, (where.centerx, middle), 13, theme.TEXT_FAINT, "centre")
     tone = theme.TEXT_SOFT if preview else theme.TEXT
     type_.draw(surface, label, (rect.right - 12 * s, middle), 13, tone, "right")
     _lanes(surface, rect, s, lanes, max(duration, 1e-9), PREVIEW if preview else 1.0)
@@ -137,26 +157,23 @@ def _joins(
 
 
 def _buttons(
-    surface: pygame.Surface, rect: pygame.Rect, s: float, ink: Colour, playing: bool
+    surface: pygame.Surface, rect: pygame.Rect, type_: Type, ink: Colour, state: Buttons
 ) -> None:
-    """Draw the three signs: |◀  ▶ or two bars  ▶|."""
-    back, play, ahead = ((b.centerx + 0.0, b.centery + 0.0) for b in buttons(rect, s))
-    for (x, y), side in ((back, -1), (ahead, 1)):
-        points = [
-            (x + side * 3 * s, y),
-            (x - side * 4.5 * s, y - 5 * s),
-            (x - side * 4.5 * s, y + 5 * s),
-        ]
-        lines.polygon(surface, points, ink)
-        edge = x + side * 4.5 * s
-        lines.polyline(surface, [(edge, y - 4.5 * s), (edge, y + 4.5 * s)], ink, 1.6 * s)
-    x, y = play
-    if playing:
-        for side in (-1, 1):
-            stroke = [(x + side * 2.8 * s, y - 4 * s), (x + side * 2.8 * s, y + 4 * s)]
-            lines.polyline(surface, stroke, ink, 2.4 * s)
-        return
-    lines.polygon(surface, [(x + 5.5 * s, y), (x - 4 * s, y - 6 * s), (x - 4 * s, y + 6 * s)], ink)
+    """Draw undo, redo, |\u25c0, \u25b6 or two bars, \u25b6|, and the speed between its signs."""
+    s, off = type_.s, theme.LINE_TRACK
+    names = ("undo", "redo", "first", "pause" if state.playing else "play", "last")
+    inks = (theme.TEXT if state.undo else off, theme.TEXT if state.redo else off, ink, ink, ink)
+    for box, name, tone in zip(buttons(rect, s), names, inks, strict=True):
+        signs.draw(surface, box, name, s, tone)
+    where = speed(rect, s)
+    usual = state.rate == IDLE.rate
+    tone = theme.TEXT_FAINT if usual else theme.ACCENT
+    place = (where.centerx, rect.centery + type_.cap(13) / 2)
+    type_.draw(surface, state.rate, place, 13, tone, "centre")
+    side = round(12 * s)
+    for name, x in (("slower", where.x), ("faster", where.right - side)):
+        box = pygame.Rect(x, rect.y, side, rect.h)
+        signs.draw(surface, box, name, s, theme.TEXT_FAINT)
 
 
 def _handle(surface: pygame.Surface, rect: pygame.Rect, s: float, share: float) -> None:

@@ -11,6 +11,10 @@ class Pointer:
 
     over: str = ""
     held: str = ""
+    pressing: bool = False
+    """Is it a press that is being answered, rather than a drag?"""
+    grip: object = None
+    """What the held part has kept from the press."""
 
     @property
     def down(self) -> bool:

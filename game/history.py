@@ -1,0 +1,96 @@
+"""Undo and redo without limit: what lay on the table before everything that moved a ball."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+from physics import State, World
+
+from .playhead import skip
+
+if TYPE_CHECKING:
+    from .play import Game
+
+
+class Moment(NamedTuple):
+    """A table with what its player was about to do."""
+
+    world: World
+    states: tuple[State, ...]
+    texts: tuple[str, ...]
+    complete: bool
+    moving: bool
+    shots: int
+    cue: str
+    kept: tuple[object, ...]
+    """What the `keepers` of the history have given."""
+
+    def same_table(self, other: Moment) -> bool:
+        """Do the balls lie, or move, alike?"""
+        return self.world is other.world and self.states == other.states
+
+
+def moment(game: Game) -> Moment:
+    """The game as it is now."""
+    states = tuple(State(b.position, b.velocity, b.spin) for b in game.world.balls)
+    aim, kept = game.aim, tuple(take() for take, _ in game.history.keepers)
+    return Moment(
+        game.world, states, tuple(aim.texts), aim.complete, game.moving, game.shots, game.cue, kept
+    )
+
+
+class History:
+    """The moments before (`past`), and those that were undone with what had come of them."""
+
+    def __init__(self) -> None:
+        self.past: list[Moment] = []
+        self.future: list[tuple[Moment, Moment]] = []
+        self.keepers: list[tuple[Callable[[], object], Callable[[object], None]]] = []
+        """Pairs (take, give) for what else belongs to a moment, as the score of a match does."""
+
+    def note(self, before: Moment, game: Game) -> None:
+        """An action has been done: keep what was before it, if it moved a ball."""
+        if game.world is not before.world:
+            self.past.clear()
+            self.future.clear()
+        elif game.shots != before.shots or not moment(game).same_table(before):
+            self.past.append(before)
+            self.future.clear()
+
+    def undo(self, game: Game) -> bool:
+        """Go back to before the last action that moved a ball; returns whether there was one."""
+        if not self.past:
+            return False
+        now, before = moment(game), self.past.pop()
+        self.future.append((before, now))
+        _restore(game, before)
+        return True
+
+    def redo(self, game: Game) -> bool:
+        """Do again what was undone; returns whether there was anything."""
+        if not self.future:
+            return False
+        before, after = self.future.pop()
+        self.past.append(before)
+        if after.shots > before.shots:
+            _restore(game, before)
+            game.strike()
+            skip(game)
+            lies = tuple(State(b.position, b.velocity, b.spin) for b in game.world.balls)
+            if after.moving or lies == after.states:
+                return True
+        _restore(game, after)
+        return True
+
+
+def _restore(game: Game, kept: Moment) -> None:
+    game.put(kept.states)
+    game.shots = kept.shots
+    for (_, give), own in zip(game.history.keepers, kept.kept, strict=True):
+        give(own)
+    game.cue = kept.cue
+    game.aim.texts = list(kept.texts)
+    game.aim.leave()
+    game.aim.complete = kept.complete and not game.aim.faults
+    game.aim.wrong = False

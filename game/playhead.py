@@ -1,0 +1,183 @@
+"""Which moment of a shot is on show, and how fast time passes: pause, slow motion, scrubbing.
+
+The head is live, at the world's own moment, unless it has been put somewhere into the past: then
+the picture shows what the log knows of that moment, and the world waits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import ceil
+from typing import TYPE_CHECKING
+
+from .clock import TICKS, seconds
+
+if TYPE_CHECKING:
+    from .play import Game
+
+RATES = (1, 2, 4, 8, 16, 32, 64)
+"""Speeds of time in eighths: from an eighth to eight times."""
+USUAL = 8
+FRAME = TICKS // 60
+"""What a single frame is while time stands."""
+LONGEST_SHOT = 300
+"""Seconds after which a shot that is to be skipped is left running."""
+
+
+@dataclass(slots=True)
+class Playhead:
+    """`at`: ticks since the shot began that are on show, None while live; `playing`: it runs."""
+
+    rate: int = USUAL
+    at: int | None = None
+    playing: bool = False
+    part: int = 0
+    """Eighths of a tick that have not passed yet: no frame rate loses any."""
+
+    def passed(self, ticks: int) -> int:
+        """The ticks that pass in the shot while `ticks` pass on the clock."""
+        whole, self.part = divmod(ticks * self.rate + self.part, USUAL)
+        return whole
+
+    def live(self) -> None:
+        """Show the world as it is."""
+        self.at, self.playing = None, False
+
+    @property
+    def label(self) -> str:
+        """The speed as it is written: ×1/8 ... ×8."""
+        return f"×{self.rate // 8}" if self.rate >= USUAL else f"×1/{USUAL // self.rate}"
+
+
+def length(game: Game) -> int:
+    """Ticks from the shot's beginning to the world's present."""
+    return max(0, ceil((game.world.time - game.began) * TICKS))
+
+
+def end(game: Game) -> int:
+    """Ticks from the shot's beginning to the last thing that happened, or the present."""
+    log = game.world.log
+    if game.moving or not len(log):
+        return length(game)
+    return max(0, ceil((log[-1].time - game.began) * TICKS))
+
+
+def reviewed(game: Game) -> bool:
+    """Show the last shot, if there is one to be shown; returns whether there is."""
+    if not game.shown_shot and not game.moving and len(game.world.log) and game.aim.box is None:
+        game.shown_shot = True
+    return game.shown_shot
+
+
+def put(game: Game, ticks: int) -> None:
+    """Show the moment `ticks` after the shot began; what has not happened yet happens now."""
+    if not reviewed(game):
+        return
+    head, last = game.head, end(game)
+    head.playing = False
+    game.paused = game.paused or game.moving
+    if ticks > last and game.moving:
+        game.run(ticks - last)
+        last = ticks
+    head.at = max(0, ticks) if ticks < last else None
+    game.read()
+
+
+def now(game: Game) -> int:
+    """The ticks on show."""
+    return end(game) if game.head.at is None else game.head.at
+
+
+def pause(game: Game) -> None:
+    """Hold or go on; after the shot, show it once more."""
+    head = game.head
+    if game.moving and head.at is None:
+        game.paused = not game.paused
+    elif reviewed(game):
+        if head.at is None:
+            head.at = 0
+            head.playing = False
+        head.playing = not head.playing
+        game.read()
+    else:
+        game.paused = not game.paused
+
+
+def frame(game: Game) -> None:
+    """One frame on."""
+    if game.moving or game.head.at is not None:
+        put(game, now(game) + FRAME)
+
+
+def back(game: Game) -> None:
+    """One frame back."""
+    put(game, now(game) - FRAME)
+
+
+def event(game: Game, way: int) -> None:
+    """Go to the next event (1) or the one before (-1)."""
+    if not reviewed(game):
+        return
+    at = now(game)
+    times = (e.time for e in game.world.log if e.kind != "roll")
+    marks = sorted({max(0, ceil((time - game.began) * TICKS)) for time in times})
+    if way < 0:
+        put(game, max((mark for mark in marks if mark < at), default=0))
+    elif ahead := [mark for mark in marks if mark > at]:
+        put(game, ahead[0])
+    elif game.moving:
+        put(game, max(at + 1, ceil((game.world.next_event - game.began) * TICKS)))
+
+
+def home(game: Game) -> None:
+    """The beginning of the shot."""
+    put(game, 0)
+
+
+def skip(game: Game) -> None:
+    """Go on to the end of the shot at once, unless it has none."""
+    game.head.live()
+    for _ in range(LONGEST_SHOT):
+        game.run(TICKS)
+    game.read()
+
+
+def faster(game: Game, steps: int) -> None:
+    """Let time pass faster by so many steps, or slower."""
+    head = game.head
+    at = RATES.index(head.rate) + steps
+    head.rate = RATES[min(max(at, 0), len(RATES) - 1)]
+
+
+def advance(game: Game, ticks: int) -> None:
+    """Let the clock run on: the balls roll, or the shot is shown once more."""
+    head = game.head
+    if head.at is not None:
+        if head.playing:
+            _replay(game, head.passed(ticks))
+    elif game.moving and not game.paused:
+        game.run(head.passed(ticks))
+
+
+def _replay(game: Game, ticks: int) -> None:
+    head = game.head
+    assert head.at is not None, "only what has been put back is replayed"
+    head.at += ticks
+    if head.at >= end(game):
+        head.live()
+        game.paused = False
+    game.version += 1
+    game.read()
+
+
+def moment(game: Game) -> float:
+    """World time on show, seconds."""
+    at = game.head.at
+    return game.world.time if at is None else game.began + seconds(at)
+
+
+HANDLERS: dict[str, Callable[..., None]] = {
+    "pause": pause, "frame": frame, "back": back, "event": event, "home": home, "scrub": put,
+    "faster": faster, "skip": skip,
+}  # fmt: skip
