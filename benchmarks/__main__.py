@@ -7,6 +7,14 @@ from importlib import import_module
 COMMANDS = {
     "stress": "invariants at every event over scenes made to break the engine",
     "golden": "rest positions of every scene against tests/golden.json",
+    "speed": "the targets: time of a shot, a break, an import, a compilation",
+    "work-precision": "error against CPU time, for the exact engine and for fixed steps",
+    "scale": "cost of an event and of a shot among 1 to 10 000 balls",
+    "peers": "pymunk, the thesis's program and pooltool on the same scenes",
+    "skips": "every shortcut switched off in turn: time, work, and that no bit changes",
+    "batch": "shots a second, by threads and by executor",
+    "frame": "the game: update and drawing, moving and idle, and its start",
+    "all": "speed, work-precision, scale, peers, skips, batch and frame, one after the other",
 }
 
 

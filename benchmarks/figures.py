@@ -1,0 +1,156 @@
+"""The plots: one style, colours that the colour-blind can tell apart, a marker a method."""
+
+from pathlib import Path
+from statistics import median, quantiles
+from typing import TYPE_CHECKING, Any
+
+from .report import duration
+
+if TYPE_CHECKING:
+    from .scale import Size
+    from .work_precision import Exact, Setting
+
+# Okabe and Ito's palette
+BLUE, SKY, GREEN = "#0072B2", "#56B4E9", "#009E73"
+ORANGE, RED, PURPLE = "#E69F00", "#D55E00", "#CC79A7"
+GREY, INK = "#8A8A8A", "#222222"
+METHODS = {
+    "thesis stepping": (RED, "o"),
+    "thesis program": (GREY, "X"),
+    "Euler": (ORANGE, "s"),
+    "RK4": (GREEN, "^"),
+    "RK4, contacts located": (PURPLE, "D"),
+}
+EXACT = {"interpreted": (BLUE, "*"), "compiled": (SKY, "P")}
+STYLE = {
+    "font.size": 9.5, "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": GREY,
+    "axes.titlesize": 10.5, "axes.titleweight": "bold", "axes.titlelocation": "left",
+    "axes.grid": True, "grid.color": "#E6E6E6", "grid.linewidth": 0.6, "axes.axisbelow": True,
+    "legend.frameon": False, "figure.dpi": 110, "savefig.dpi": 110, "text.color": INK,
+    "axes.labelcolor": INK, "xtick.color": INK, "ytick.color": INK,
+}  # fmt: skip
+
+
+def pyplot() -> Any:
+    """matplotlib without a window, in this style."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    from matplotlib import pyplot as plt
+
+    plt.rcParams.update(STYLE)
+    return plt
+
+
+def save(figure: Any, out: Path, name: str) -> None:
+    """Write a PNG of few colours: flat areas need no more, and it stays small."""
+    from PIL import Image
+
+    out.mkdir(parents=True, exist_ok=True)
+    path = out / f"{name}.png"
+    figure.savefig(path)
+    pyplot().close(figure)
+    with Image.open(path) as picture:
+        small = picture.convert("RGB").quantize(128, dither=Image.Dither.NONE)
+    small.save(path, optimize=True)
+
+
+def _cloud(axes: Any, settings: "list[Setting]", method: str) -> None:
+    """Median error over the least time, with the middle half of the step sizes as a band."""
+    mine = [s for s in settings if s.method == method]
+    if not mine:
+        return
+    colour, marker = METHODS[method]
+    times = [min(s.times) for s in mine]
+    cuts = [quantiles(s.errors[-1], n=4) for s in mine]
+    axes.fill_between(
+        times, [c[0] for c in cuts], [c[2] for c in cuts], color=colour, alpha=0.18, lw=0
+    )
+    axes.plot(
+        times,
+        [median(s.errors[-1]) for s in mine],
+        color=colour,
+        marker=marker,
+        ms=4.5,
+        lw=1.3,
+        label=method,
+    )
+
+
+def _panel(axes: Any, exact: "Exact", settings: "list[Setting]") -> None:
+    for method in METHODS:
+        _cloud(axes, [s for s in settings if s.scene == exact.scene], method)
+    for (way, (colour, marker)), time in zip(
+        EXACT.items(), (exact.interpreted, exact.compiled), strict=True
+    ):
+        axes.plot(
+            [time], [exact.errors[-1]], color=colour, marker=marker, ms=11, lw=0, mec="white",
+            mew=0.6, label=f"exact, {way}",
+        )  # fmt: skip
+    axes.set(xscale="log", yscale="log", title=exact.scene, ylim=(1e-16, 10), xlim=(1e-6, 100))
+    axes.set_xticks([1e-6, 1e-4, 1e-2, 1], ["1 µs", "100 µs", "10 ms", "1 s"])
+    lengths = ["1 fm", "1 pm", "1 nm", "1 µm", "1 mm", "1 m"]
+    axes.set_yticks([1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1], lengths)
+    axes.minorticks_off()
+
+
+def work_precision(exacts: "list[Exact]", settings: "list[Setting]", out: Path) -> None:
+    """All scenes in one picture, and the two of the README in another."""
+    for name, chosen, columns in (
+        ("work-precision", exacts, 4),
+        ("fast-accurate", [e for e in exacts if e.scene in ("single ball", "carom shot")], 2),
+    ):
+        if chosen:
+            _work_precision(name, chosen, settings, columns, out)
+
+
+def _work_precision(
+    name: str, exacts: "list[Exact]", settings: "list[Setting]", columns: int, out: Path
+) -> None:
+    columns = min(columns, len(exacts) + (len(exacts) > columns))
+    rows = -(-len(exacts) // columns)
+    figure, grid = pyplot().subplots(
+        rows, columns, figsize=(3.2 * columns + 2.0 * (rows == 1), 2.9 * rows + 0.3), sharex=True,
+        sharey=True, squeeze=False, layout="constrained",
+    )  # fmt: skip
+    panels = list(grid.flat)
+    for axes, exact in zip(panels, exacts, strict=False):
+        _panel(axes, exact, settings)
+    for axes in panels[len(exacts) :]:
+        axes.set_axis_off()
+    handles, labels = panels[0].get_legend_handles_labels()
+    if len(panels) > len(exacts):
+        panels[-1].legend(handles, labels, loc="center left")
+        panels[-1 - columns].tick_params(labelbottom=True)
+    else:
+        figure.legend(handles, labels, loc="outside right center")
+    figure.supxlabel("CPU time for the shot", fontsize=9.5)
+    figure.supylabel("error at rest, worst ball", fontsize=9.5)
+    save(figure, out, name)
+
+
+def scale(sizes: "list[Size]", out: Path) -> None:
+    """Cost of an event and of a shot over the number of balls."""
+    figure, (left, right) = pyplot().subplots(1, 2, figsize=(8.6, 3.5), layout="constrained")
+    balls = [s.balls for s in sizes]
+    lines: tuple[tuple[Any, str, str, str, str], ...] = (
+        (left, "program_event", GREY, "X", "thesis's program"),
+        (left, "event", BLUE, "o", "exact, interpreted"),
+        (left, "compiled_event", SKY, "P", "exact, compiled"),
+        (right, "shot", BLUE, "o", "exact, interpreted"),
+        (right, "compiled_shot", SKY, "P", "exact, compiled"),
+    )
+    for axes, name, colour, marker, label in lines:
+        times = [getattr(s, name) for s in sizes]
+        axes.plot(balls, times, color=colour, marker=marker, ms=5, lw=1.4, label=label)
+    left.set(title="An event in a gas of discs", ylabel="CPU time")
+    right.set(title="A shot among balls at rest", ylabel="CPU time")
+    for axes in (left, right):
+        axes.set(xscale="log", yscale="log", xlabel="balls")
+        low, high = axes.get_ylim()
+        ticks = [t for t in (10.0**k for k in range(-7, 2)) if low <= t <= high]
+        axes.set_yticks(ticks, [duration(t) for t in ticks])
+        axes.set_xticks([1, 10, 100, 1000, 10000], ["1", "10", "100", "1 000", "10 000"])
+        axes.minorticks_off()
+    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+    save(figure, out, "scale")

@@ -1,0 +1,235 @@
+"""The kernel's shortcuts, each with the same thing done the long way.
+
+The kernel has no switches: each variant is the package loaded once more with functions replaced,
+so that what is timed without a shortcut is otherwise the very code that runs.
+"""
+
+from collections import Counter
+from collections.abc import Callable
+from importlib import import_module
+from math import inf, sqrt
+from types import ModuleType
+from typing import Any, NamedTuple
+
+from physics.binding import load
+from physics.kernel import subset
+
+Package = Any
+_numbers = iter(range(10**6))
+
+
+def fresh() -> Package:
+    """The interpreted kernel under a name of its own."""
+    name = f"benchmarks.kernel_{next(_numbers)}"
+    copy = ModuleType(f"{name}.subset")
+    vars(copy).update({k: v for k, v in vars(subset).items() if not k.startswith("__")})
+    package = load(name, copy)
+    for module in ("cluster", "contact", "grid", "laws", "motion"):
+        import_module(f"{name}.{module}")
+    return package
+
+
+def replace(package: Package, old: Callable[..., Any], new: Callable[..., Any]) -> None:
+    """Put `new` wherever a module of the package has `old`."""
+    for module in (package.calendar, package.cluster, package.contact, package.grid, package.laws):
+        for name, value in list(vars(module).items()):
+            if value is old:
+                setattr(module, name, new)
+
+
+def without_boxes(package: Package) -> None:
+    def reach(ball: Any, *_: Any) -> None:
+        ball.west = ball.south = -inf
+        ball.east = ball.north = inf
+
+    replace(package, package.calendar.reach, reach)
+
+
+def without_rest(package: Package) -> None:
+    contact, place = package.contact, package.motion.place
+
+    def meeting(a: Any, b: Any) -> float:
+        if a.since < b.since:
+            a, b = b, a
+        time = a.since
+        t = time - b.since
+        q, v = place(b, t) - a.position, b.velocity + t * b.acceleration - a.velocity
+        lasts = min(a.leg_end, b.leg_end) - time
+        bend, reach = b.acceleration - a.acceleration, a.radius + b.radius
+        return time + contact.contact_time(q, v, bend, reach, lasts)
+
+    replace(package, package.contact.meeting, meeting)
+
+
+def without_sign(package: Package) -> None:
+    contact, near = package.contact, package.contact.NEAR
+
+    def contact_time(q0: complex, v: complex, a: complex, distance: float, horizon: float) -> float:
+        time, q, w = 0.0, q0, v
+        for _ in range(64):
+            line = q.conjugate()
+            far = sqrt(q.real * q.real + q.imag * q.imag)
+            wait = contact.first_fall(far * (far - distance), (line * w).real, (line * a).real)
+            time += wait
+            if time >= horizon:
+                return inf
+            pace = abs(w.real) + abs(w.imag) + wait * (abs(a.real) + abs(a.imag))
+            if wait == 0.0 or wait * pace < near:
+                return time
+            q = q0 + time * (v + 0.5 * time * a)
+            w = v + time * a
+        return time
+
+    replace(package, package.contact.contact_time, contact_time)
+
+
+def without_reach(package: Package) -> None:
+    """Every cushion is solved for, also those the ball moves away from."""
+    calendar, contact, motion = package.calendar, package.contact, package.motion.motion
+
+    def plan_leg(ball: Any, walls: Any, cloth: Any) -> None:
+        phase, a, lasts = motion(ball.velocity, ball.roll, cloth)
+        if phase == package.motion.RESTING:
+            ball.velocity = ball.roll = 0j
+        ball.phase, ball.acceleration, ball.goal = phase, a, calendar.PHASE_ENDS
+        p, v = ball.position, ball.velocity
+        for k in range(len(walls)):
+            inward, gap = (
+                walls[k].inward,
+                (walls[k].inward * p).real - walls[k].offset - ball.radius,
+            )
+            wait = contact.first_fall(gap, (inward * v).real, (inward * a).real)
+            if wait < lasts:
+                lasts, ball.goal = wait, k
+        ball.leg_end = ball.since + lasts
+        calendar.reach(ball, p, v, a, lasts)
+
+    replace(package, calendar.plan_leg, plan_leg)
+
+
+def without_memory(package: Package) -> None:
+    """After an event every ball is planned anew, not only those that it touched."""
+    calendar, happen = package.calendar, package.calendar.happen
+
+    def replan(i: int, scene: Any) -> Any:
+        kind, other = happen(i, scene)
+        for ball in scene.balls:
+            calendar.plan_leg(ball, scene.walls, scene.cloth)
+        for k in range(len(scene.balls)):
+            calendar.plan_meetings(k, scene)
+        return kind, other
+
+    replace(package, happen, replan)
+
+
+def without_table(package: Package) -> None:
+    """Who loses a partner asks everybody again."""
+    contact, sooner = package.contact, package.grid.sooner
+
+    def appoint(j: int, i: int, when: float, balls: Any, meetings: Any) -> None:
+        ball = balls[j]
+        if sooner(when, i, ball):
+            ball.meets, ball.partner = when, i
+        else:
+            ball.meets, ball.partner = inf, -1
+            for k, other in enumerate(balls):
+                again = contact.meeting(ball, other) if k != j else inf
+                if again < ball.meets:
+                    ball.meets, ball.partner = again, k
+        ball.next = min(ball.meets, ball.leg_end)
+
+    replace(package, package.calendar.appoint, appoint)
+
+
+def with_clusters(package: Package) -> None:
+    """Every hit of two balls goes through the solver of clusters."""
+    replace(package, package.cluster.crowded, lambda *_: True)
+    replace(package, package.cluster.crowded_near, lambda *_: True)
+
+
+def with_rubbing(package: Package) -> None:
+    """Friction between balls is worked out where there is none."""
+    laws = package.laws
+
+    def ball(v: complex, roll: complex, side: float, mass: float, rule: Any) -> Any:
+        push = mass * laws.rebound(v.real, rule)
+        slip = complex(v.imag + side, -roll.real)
+        return push, laws.friction(slip, 0.0 * push, 3.5 / mass)
+
+    replace(package, laws.ball, ball)
+
+
+def with_spin_events(package: Package) -> None:
+    """The end of a spin about the vertical is an event, after which its ball is planned anew."""
+    calendar = package.calendar
+
+    def fades(ball: Any, cloth: Any) -> float:
+        return float(ball.since + abs(ball.side) / (ball.radius * cloth.fade)) if ball.side else inf
+
+    def advance(until: float, budget: int, scene: Any) -> tuple[int, float]:
+        balls, cloth, events, last = scene.balls, scene.cloth, 0, 0.0
+        done = [0.0] * len(balls)
+        while events <= budget:
+            i = calendar.soonest(scene)
+            time = balls[i].next
+            ends = [fades(ball, cloth) for ball in balls]
+            due, k = min((end, k) for k, end in enumerate(ends) if end > done[k])
+            if due < time:
+                done[k] = due
+                calendar.plan_leg(balls[k], scene.walls, cloth)
+                calendar.plan_meetings(k, scene)
+                continue
+            if time > until or time == inf:
+                break
+            kind, other = calendar.happen(i, scene)
+            events += calendar.blows(other, scene.ties) if kind == calendar.CLUSTER else 1
+            last = time
+        return events, last
+
+    replace(package, calendar.advance, advance)
+
+
+class Switch(NamedTuple):
+    """A shortcut, and how to do without it."""
+
+    name: str
+    off: Callable[[Package], None]
+
+
+def everything(package: Package) -> None:
+    """The long way in all that the table of meetings is for."""
+    for off in (without_boxes, without_rest, without_sign, without_reach, without_memory):
+        off(package)
+
+
+SWITCHES = (
+    Switch("swept boxes", without_boxes),
+    Switch("pairs at rest", without_rest),
+    Switch("sign before root", without_sign),
+    Switch("only cushions within reach", without_reach),
+    Switch("only touched balls planned anew", without_memory),
+    Switch("table of meetings", without_table),
+    Switch("clusters only where a third ball touches", with_clusters),
+    Switch("no event where a spin ends", with_spin_events),
+    Switch("the first five at once", everything),
+)
+SMOOTH = Switch("no friction between smooth balls", with_rubbing)
+
+
+def count(package: Package, work: Counter[str]) -> None:
+    """Make the package count its work: pair solves, box tests, quadratics and legs planned."""
+    calendar, grid = package.calendar, package.grid
+
+    def counted(old: Callable[..., Any], name: str, size: Callable[..., int]) -> None:
+        def new(*args: Any) -> Any:
+            result = old(*args)
+            work[name] += size(result, *args)
+            return result
+
+        replace(package, old, new)
+
+    counted(calendar.plan_table, "box tests", lambda _, i, balls, meetings: len(balls) - 1)
+    counted(grid.neighbours, "box tests", lambda near, *_: near)
+    counted(package.contact.contact_time, "pair solves", lambda *_: 1)
+    counted(package.contact.first_fall, "quadratics", lambda *_: 1)
+    counted(calendar.plan_leg, "legs planned", lambda *_: 1)
