@@ -284,7 +284,8 @@ class App:
         if game.shots != self._shots and game.aim.shot:
             struck = game.world.ball(game.cue), game.aim.shot.speed
         self._shots = game.shots
-        audio.play(self.ear.listen(game.world, (game.shots, game.began), struck))
+        heard = self.ear.listen(game.world, (game.shots, game.began), struck)
+        audio.play(heard, pygame.time.get_ticks())
 
     # -- render --------------------------------------------------------------------------------
 

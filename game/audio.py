@@ -1,7 +1,8 @@
 """The loudspeaker: plays what the ear has heard, and is silent where there is none.
 
-The mixer opens with the first sound. Where that fails, or SDL loses the device, all that follows
-is silence, and nothing is said about it.
+The mixer opens with the first sound, and closes when it is muted or nothing has been heard for a
+while: its thread costs as much as the rest of an idle game. Where opening fails, or SDL loses the
+device, all that follows is silence, and nothing is said about it.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 from math import cos, pi, sin
 
 import numpy as np
@@ -30,6 +32,8 @@ STEP = 0.01
 """Least change of the rolling's gain that is passed on."""
 FADE = 80
 """Milliseconds in which the rolling dies away."""
+PATIENCE = 60_000
+"""Milliseconds without a sound after which the mixer closes."""
 Bank = dict[tuple[str, int], pygame.mixer.Sound]
 
 
@@ -42,16 +46,20 @@ class Audio:
         self._bank: Bank = {}
         self._rolling: pygame.mixer.Channel | None = None
         self._rolls = 0.0
+        self._heard = 0
+        """When something was heard last, milliseconds."""
 
     @property
     def silent(self) -> bool:
         """Will nothing be heard whatever is played?"""
         return self.muted or self.broken or self.volume <= 0.0
 
-    def play(self, heard: Heard) -> None:
-        """Begin the sounds of a frame; the first one opens the mixer."""
-        if self.silent:
-            self.hush()
+    def play(self, heard: Heard, now: int) -> None:
+        """Begin the sounds of a frame at `now`, milliseconds; the first one opens the mixer."""
+        if heard.sounds or heard.rolling:
+            self._heard = now
+        if self.silent or now - self._heard > PATIENCE:
+            self.close()
             return
         if not (heard.sounds or self._bank) or not self._open():
             return
@@ -65,11 +73,6 @@ class Audio:
             self._roll(heard.rolling)
         except pygame.error:
             self.broken = True
-
-    def hush(self) -> None:
-        """Let nothing sound any more."""
-        if self._bank and not self.broken and self._rolls != 0.0:
-            self._roll(0.0)
 
     def close(self) -> None:
         """Give the device back."""
@@ -90,7 +93,7 @@ class Audio:
             pygame.mixer.set_num_channels(VOICES)
             pygame.mixer.set_reserved(1)
             self._rolling = pygame.mixer.Channel(0)
-            self._bank = {key: _loaded(wave) for key, wave in bank()}
+            self._bank = {key: pygame.mixer.Sound(buffer=data) for key, data in _samples().items()}
         except (pygame.error, NotImplementedError, ImportError):
             self.broken = True  # no device, or a pygame built without the mixer
         return not self.broken
@@ -122,9 +125,11 @@ def sides(gain: float, pan: float) -> tuple[float, float]:
     return gain * cos(angle), gain * sin(angle)
 
 
-def _loaded(wave: synth.Wave) -> pygame.mixer.Sound:
-    samples = np.round(wave * HEADROOM * 32767).astype(np.int16)
-    return pygame.mixer.Sound(buffer=np.repeat(samples, 2).tobytes())
+@cache
+def _samples() -> dict[tuple[str, int], bytes]:
+    """Every sound as the mixer takes it: 16 bit, left and right."""
+    waves = ((key, np.round(wave * HEADROOM * 32767).astype(np.int16)) for key, wave in bank())
+    return {key: np.repeat(wave, 2).tobytes() for key, wave in waves}
 
 
 @contextmanager

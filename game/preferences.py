@@ -50,6 +50,8 @@ class Preferences:
     def _sound(self) -> None:
         self.audio.volume = self.settings.volume / LOUDEST
         self.audio.muted = self.settings.muted
+        if self.audio.silent:
+            self.audio.close()
 
     def _mute(self, _: object) -> None:
         self.settings.muted = not self.settings.muted

@@ -160,18 +160,29 @@ def test_rolling_is_heard_while_balls_roll_and_time_runs():
 
 def test_the_first_sound_opens_the_mixer_and_not_before():
     speaker = Audio()
-    speaker.play(SILENCE)
+    speaker.play(SILENCE, 0)
     assert pygame.mixer.get_init() is None
-    speaker.play(Heard((LOUD,), 0.05))
+    speaker.play(Heard((LOUD,), 0.05), 0)
     assert pygame.mixer.get_init() == (synth.RATE, -16, 2)
     assert pygame.mixer.get_busy()
     speaker.close()
     assert pygame.mixer.get_init() is None
 
 
+def test_the_mixer_closes_after_a_long_silence_and_opens_again():
+    speaker = Audio()
+    speaker.play(Heard((LOUD,), 0.0), 1000)
+    speaker.play(SILENCE, 1000 + audio.PATIENCE)
+    assert pygame.mixer.get_init()
+    speaker.play(SILENCE, 1001 + audio.PATIENCE)
+    assert pygame.mixer.get_init() is None
+    speaker.play(Heard((LOUD,), 0.0), 10 * audio.PATIENCE)
+    assert pygame.mixer.get_busy()
+
+
 @pytest.mark.parametrize("speaker", [Audio(muted=True), Audio(volume=0.0)])
 def test_a_muted_loudspeaker_opens_nothing(speaker):
-    speaker.play(Heard((LOUD,), 0.1))
+    speaker.play(Heard((LOUD,), 0.1), 0)
     assert speaker.silent
     assert pygame.mixer.get_init() is None
 
@@ -180,7 +191,7 @@ def test_without_a_device_there_is_silence_and_not_a_word(monkeypatch, capfd):
     monkeypatch.setenv("SDL_AUDIODRIVER", "there is none")
     speaker = Audio()
     for _ in range(3):
-        speaker.play(Heard((LOUD,), 0.0))
+        speaker.play(Heard((LOUD,), 0.0), 0)
     assert speaker.broken
     assert capfd.readouterr() == ("", "")
 
@@ -201,7 +212,7 @@ class Channel:
 def volumes(monkeypatch, volume, sounds):
     channel, speaker = Channel(), Audio(volume)
     monkeypatch.setattr(pygame.mixer, "find_channel", lambda: channel)
-    speaker.play(Heard(sounds, 0.0))
+    speaker.play(Heard(sounds, 0.0), 0)
     return np.array(channel.gains)
 
 
@@ -256,6 +267,14 @@ def test_m_mutes_and_then_nobody_listens(app, played):
     run_to_rest(app)
     assert app.preferences.settings.muted
     assert played == []
+    assert pygame.mixer.get_init() is None
+
+
+def test_muting_closes_the_mixer_at_once(app):
+    press(app, "return")
+    app.frame(FRAME)
+    assert pygame.mixer.get_init()
+    press(app, "m")
     assert pygame.mixer.get_init() is None
 
 
