@@ -14,7 +14,10 @@ class Action(NamedTuple):
     """One thing the player wants; `value` is its argument, if it has one.
 
     edit BOX · clear · type TEXT · erase · enter · leave · shoot · fire · place · stop · retry ·
-    pause · frame · skip · help · settings · set "BOX NUMBER ..." · quit ·
+    pause · frame · back · event WAY · scrub TICKS · home · skip · faster STEPS · undo · redo ·
+    turn DEGREES · power SPEED · push SPEED · tip "RIGHT UP" · nudge "RIGHT UP" · centre ·
+    elevate DEGREES · tilt DEGREES · thick EIGHTHS · thicker WAY · set "BOX NUMBER ..." ·
+    fan · help · settings · quit ·
     engine KEY · law KEY · cloth KEY · table KEY · language KEY (no key: the next one)
     """
 
@@ -26,6 +29,9 @@ ALWAYS = {
     pygame.K_F1: Action("help"),
     pygame.K_F2: Action("language"),
     pygame.K_F3: Action("settings"),
+    pygame.K_F4: Action("sheet", "shelf"),
+    pygame.K_F5: Action("sheet", "rules"),
+    pygame.K_F10: Action("sheet", "menu"),
 }
 PLAY = {
     pygame.K_LEFT: Action("edit", 0),
@@ -43,6 +49,21 @@ PLAY = {
     pygame.K_a: Action("aids"),
     pygame.K_m: Action("mute"),
     pygame.K_END: Action("skip"),
+    pygame.K_HOME: Action("home"),
+    pygame.K_COMMA: Action("back"),
+    pygame.K_LEFTBRACKET: Action("faster", -1),
+    pygame.K_RIGHTBRACKET: Action("faster", 1),
+    pygame.K_z: Action("undo"),
+    pygame.K_y: Action("redo"),
+    pygame.K_q: Action("turn", "1"),
+    pygame.K_w: Action("turn", "-1"),
+    pygame.K_PAGEUP: Action("push", "0.5"),
+    pygame.K_PAGEDOWN: Action("push", "-0.5"),
+    pygame.K_t: Action("thicker", 1),
+    pygame.K_c: Action("centre"),
+    pygame.K_f: Action("fan"),
+    pygame.K_b: Action("arrange"),
+    pygame.K_ESCAPE: Action("sheet", "menu"),
 }
 EDITING = {
     pygame.K_RETURN: Action("enter"),
@@ -50,6 +71,27 @@ EDITING = {
     pygame.K_BACKSPACE: Action("erase"),
     pygame.K_ESCAPE: Action("leave"),
 }
+
+FINER = {"turn": ("0.1", "0.01"), "push": ("0.1", "0.01")}
+"""What these take a step of with Shift and with Ctrl, degrees and m/s."""
+SHIFTED = {
+    Action("frame"): Action("event", 1),
+    Action("back"): Action("event", -1),
+    Action("undo"): Action("redo"),
+    Action("thicker", 1): Action("thicker", -1),
+}
+SIDEWAYS = {pygame.K_LEFT: 1, pygame.K_RIGHT: -1}
+CUE = {
+    pygame.K_LEFT: ("nudge", "-{} 0", "0.05", "0.01"),
+    pygame.K_RIGHT: ("nudge", "{} 0", "0.05", "0.01"),
+    pygame.K_UP: ("nudge", "0 {}", "0.05", "0.01"),
+    pygame.K_DOWN: ("nudge", "0 -{}", "0.05", "0.01"),
+    pygame.K_PAGEUP: ("tilt", "{}", "5", "1"),
+    pygame.K_PAGEDOWN: ("tilt", "-{}", "5", "1"),
+}
+"""Keys that move the cue while Alt is held: action, value, and its step without and with Shift."""
+HELD = frozenset({"turn", "push", "nudge", "tilt", "frame", "back", "erase"})
+"""Actions that go on while their key is held."""
 
 
 def of_key(
@@ -69,6 +111,10 @@ def of_key(
         return always[key]
     if key in (pygame.K_RETURN, pygame.K_KP_ENTER) and mod & pygame.KMOD_CTRL:
         return Action("fire")
+    if box is None and mod & (pygame.KMOD_SHIFT | pygame.KMOD_CTRL | pygame.KMOD_ALT):
+        special = _modified(key, mod, play)
+        if special is not None:
+            return special
     if mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
         return None
     if key == pygame.K_TAB:
@@ -77,6 +123,31 @@ def of_key(
     if box is not None:
         return EDITING.get(key) or _characters(text)
     return play.get(key) or _first_character(text)
+
+
+def _modified(key: int, mod: int, play: Mapping[int, Action]) -> Action | None:
+    """What a key means in play with Shift, Ctrl or Alt held."""
+    shift, ctrl = bool(mod & pygame.KMOD_SHIFT), bool(mod & pygame.KMOD_CTRL)
+    if mod & pygame.KMOD_ALT:
+        if ctrl or key not in CUE:
+            return None
+        name, value, step, finer = CUE[key]
+        return Action(name, value.format(finer if shift else step))
+    if key in SIDEWAYS:
+        return finer_step("turn", SIDEWAYS[key], ctrl)
+    action = play.get(key)
+    if action is None:
+        return None
+    if action.name in FINER:
+        return finer_step(action.name, -1 if str(action.value).startswith("-") else 1, ctrl)
+    if ctrl and action.name in ("undo", "redo"):
+        return Action("redo") if shift else action
+    return SHIFTED.get(action) if shift and not ctrl else None
+
+
+def finer_step(name: str, way: int, finest: bool) -> Action:
+    """A small step of an action that way (1 or -1)."""
+    return Action(name, ("" if way > 0 else "-") + FINER[name][finest])
 
 
 def of_text(event: pygame.event.Event, box: int | None) -> Action | None:

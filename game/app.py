@@ -15,9 +15,12 @@ from .options import Options
 from .play import Game, Notice
 from .preferences import Preferences
 from .record import Recorder
+from .repeat import Repeat
 from .replay import Replay
 from .script import Script
 from .setup import size as table_size
+from .thinker import Thinker
+from .ui import hand
 from .ui.view import View
 
 TITLE = "danggu"
@@ -82,7 +85,9 @@ class App:
         self.actions: list[tuple[int, Action]] = []
         self._shown_version = -1
         self._typing: bool | None = None
+        self.thinker = Thinker(game, options.seed, options.virtual)
         self._shots = game.shots
+        self.repeat = Repeat()
         self._texts = False
         """Was text input on when SDL made the events of this frame?"""
         self._sync_typing()
@@ -101,6 +106,8 @@ class App:
         self._texts = bool(self._typing)
         for event in pygame.event.get():
             self.handle(event)
+        for _ in range(self.repeat.due(ticks)):
+            self.perform(self.repeat.action)
         end = self.game.tick + ticks
         if self.replay is not None:
             end = self._replay(self.replay, end)
@@ -109,9 +116,13 @@ class App:
             for event in line.events:
                 self.handle(event)
         self.update(end - self.game.tick)
+        self.perform(self.thinker.think(), human=False)
         if not (self.options.virtual or self.preferences.audio.silent):
             self._sound()
-        return self.render() or self.stats.inputs != before
+        changed, thinking = self.view.think(seconds(ticks))
+        self._shown_version -= changed
+        busy = thinking or self.thinker.on
+        return self.render() or self.stats.inputs != before or busy
 
     # -- handle --------------------------------------------------------------------------------
 
@@ -130,26 +141,31 @@ class App:
             self._text(event)
         elif event.type in MOUSE:
             self._mouse(event)
+        elif event.type == pygame.MOUSEWHEEL and not self.game.help:
+            self.perform(self.view.wheel(event.y))
         elif event.type in RESIZED:
             self._resize()
         elif event.type in EXPOSED:
             self.view.expose()
             self._shown_version = -1
 
-    def perform(self, action: Action | None) -> None:
-        """Do an action and note it with its tick."""
-        if action is None:
+    def perform(self, action: Action | None, human: bool = True) -> None:
+        """Do an action and note it with its tick; the computer's turn leaves a person few."""
+        if action is None or (human and self.thinker.takes(action)):
             return
         if self.preferences.perform(action):
             self._restyle(action)
             return
+        sheet = self.game.sheet
         self.actions.append((self.game.tick, action))
         self._act(action)
+        if self.game.sheet and self.game.sheet != sheet:
+            self.view.open()
         self.preferences.note(action, self.game)
         if self.game.world is not self._world:
             self._relay()
         self._sync_typing()
-        if action.name in ("settings", "quit") and not self.game.sheet:
+        if sheet == "settings" != self.game.sheet or action.name == "quit":
             self._save()
 
     def _act(self, action: Action) -> None:
@@ -222,15 +238,21 @@ class App:
             elif always == Action("language"):
                 self.perform(always)
             return
-        self.perform(of_key(event, self.game.aim.box, self._texts, keys.play, keys.always))
+        if self.game.arranging and (action := hand.key(event, self.game)):
+            self.perform(action)
+            return
+        action = of_key(event, self.game.aim.box, self._texts, keys.play, keys.always)
+        self.repeat.press(event.key, action)
+        self.perform(action)
 
     def _sheet(self, event: pygame.event.Event) -> None:
-        """Take an event that is meant for the settings sheet."""
+        """Take an event that is meant for the page over the table."""
         self._shown_version = -1
         action = self.view.sheet.handle(event, self.view.sight)
         if action is not None:
             self.view.expose()  # what it changes shows behind the page too
             self.perform(action)
+        self._sync_typing()
 
     def _text(self, event: pygame.event.Event) -> None:
         if not self.game.help:
@@ -261,7 +283,7 @@ class App:
 
     def _sync_typing(self) -> None:
         """Take text only while a box is edited: an input method must not swallow shortcuts."""
-        typing = self.game.aim.box is not None and not self.game.sheet
+        typing = self.view.sheet.typing if self.game.sheet else self.game.aim.box is not None
         if typing != self._typing:
             self._typing = typing
             (pygame.key.start_text_input if typing else pygame.key.stop_text_input)()
@@ -270,19 +292,17 @@ class App:
 
     def update(self, ticks: int) -> None:
         """Let time pass in the game and roll the balls in the picture."""
-        time = self.game.world.time
         self.game.advance(ticks)
         if self.journal is not None:
             self.journal.passed()
-        if self.game.world.time != time:
-            self.view.stage.roll(self.game, self.game.world.time - time)
+        self.view.stage.follow(self.game)
 
     def _sound(self) -> None:
         """Let what has happened since the last frame be heard."""
         game, audio = self.game, self.preferences.audio
         struck = None
         if game.shots != self._shots and game.aim.shot:
-            struck = game.world.ball(game.cue), game.aim.shot.speed
+            struck = game.world.ball(game.shooter), game.aim.shot.speed
         self._shots = game.shots
         heard = self.ear.listen(game.world, (game.shots, game.began), struck)
         audio.play(heard, pygame.time.get_ticks())

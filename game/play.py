@@ -3,28 +3,26 @@
 from __future__ import annotations
 
 import random
-from cmath import phase
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import degrees, hypot
+from functools import partial
+from math import hypot
 from typing import ClassVar, NamedTuple
 
 from physics import Cloth, EventBudgetError, State, World, laws
 
-from . import choices, setup
+from . import aiming, choices, contest, playhead, setup, sitting
 from .actions import Action
-from .aim import Aim, plain
+from .aim import Aim
 from .clock import TICKS, seconds, shares
+from .history import History, moment
+from .playhead import Playhead
 from .preview import NO_STORY, Preview, Story, forecast, preview
 
-FRAME = TICKS // 60
-"""What a single frame is while the game is paused."""
 READING = TICKS // 8
 """How often the read-outs change while balls move: faster cannot be read."""
 
 MOST_TRACED = 6
-LONGEST_SHOT = 300
-"""Seconds after which a shot that is to be skipped is left running."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +49,9 @@ class Game:
     ) -> None:
         self.substeps = substeps
         self.engine, self.language = "exact", "en"
-        self.help = self.sheet = self.over = False
+        self.help = self.over = False
+        self.sheet = ""
+        """The page laid over the table: "settings" "menu" "shelf" "rules", or none."""
         self.tick = self.calls = self.events = self.stamp = 0
         """`stamp` goes up whenever somebody, and not time, has changed what will happen."""
         self.version = 0
@@ -59,15 +59,22 @@ class Game:
         self.news = 0
         """Goes up when anything but the balls' places has changed, or is due to be read again."""
         self._rng = random.Random(seed)
+        self._did = ""
+        self.history = History()
+        take, give = partial(contest.kept, self), partial(contest.give_back, self)
+        self.history.keepers.append((take, give))
         self.begin(world, table)
 
     def begin(self, world: World, table: str) -> None:
         """Play on another table."""
         self.world, self.table = world, table
-        self.cue = setup.cue_ball(world)
+        self.cue = self.shooter = self.held_ball = setup.cue_ball(world)
+        self.contest: contest.Contest | None = None
+        self.arranging = False
+        """Are balls being placed by hand?  `held_ball` is the one that moves."""
         self.aim = Aim()
         self.law, self.cloth = setup.law_of(world), "table"
-        self.paused = False
+        self.paused, self.head = False, Playhead()
         self.notice: Notice | None = None
         self.shots = 0
         self.began = world.time
@@ -75,31 +82,48 @@ class Game:
         """Is the last shot on show, rather than the next one?"""
         self.came_with = Terms(world.ball_law, world.cushion_law, world.cloth)
         self._lay = self._layout()
+        self._seen: tuple[object, dict[str, State]] = (None, {})
         self._previewed: tuple[object, Preview | None] = (None, None)
         self._forecast: tuple[object, Story] = (None, NO_STORY)
         self._counts: tuple[object, tuple[int, int]] = (None, (0, 0))
         self._changed()
         self.moving = self._moves()
         if self.moving:
-            self._take_over_launch()
-        self._read()
+            aiming.take_over(self)
+        self.read()
 
     # -- what an action does -------------------------------------------------------------------
 
     def perform(self, action: Action) -> None:
         """Do what the player wants; anything unknown raises KeyError."""
         handler = self._handlers[action.name]
-        if action.name not in ("language", "help", "settings"):
+        if action.name not in ("language", "help", "settings", "sheet", "next", "intend"):
             self.notice = None
+        before = moment(self)
         if action.value is None:
             handler(self)
         else:
             handler(self, action.value)
+        if self._is_step(action.name, before.moving):
+            self.history.note(before, self)
+        self._did = action.name
         self.version += 1
         self.news += 1
 
+    def _is_step(self, name: str, moving: bool) -> bool:
+        """Is what was done a step of its own to undo?  Time is none, nor is a drag's every move."""
+        if name in ("undo", "redo", *playhead.HANDLERS) or name == self._did == "move":
+            return False
+        return self.contest is None or not moving
+
+    def show_aim(self) -> None:
+        """Show the next shot rather than the last one, unless that is still running."""
+        if not self.moving:
+            self.shown_shot = False
+            self.head.live()
+
     def _edit(self, box: int = 0) -> None:
-        self.shown_shot = self.shown_shot and self.moving
+        self.show_aim()
         self.aim.edit(box)
 
     def _clear(self) -> None:
@@ -123,92 +147,118 @@ class Game:
         self.aim.leave()
 
     def _shoot(self) -> None:
-        """RETURN in play: one shot for each completed entry."""
-        if self.aim.complete:
-            self._strike()
+        """RETURN in play: one shot for each completed entry; in a match first the next turn."""
+        if self.contest is not None and self.shown_shot and not self.moving:
+            sitting.show_next(self)
+        elif self.aim.complete:
+            self.strike()
         elif not self.aim.wrong:
-            self.shown_shot = self.shown_shot and self.moving
+            self.show_aim()
             self.notice = Notice("spent")
 
     def _fire(self) -> None:
         """Complete the entry as it stands, and shoot."""
         self.aim.leave()
         if self.aim.finish():
-            self._strike()
+            self.strike()
 
-    def _strike(self) -> None:
+    def strike(self) -> None:
+        """Play the shot in the boxes, which has to be one; in a match only if one may."""
         shot = self.aim.shot
         assert shot is not None, "a complete entry can be read"
+        if self.contest is not None and (why := self.contest.refusal(self)):
+            self.refuse(why)
+            return
+        self.arranging = False
         if not self.moving:
             self._lay = self._layout()
+        self.head.live()
         self.world.log.clear()
         self.began = self.world.time
         self.world.strike(self.cue, shot)
         self._changed()
+        self.shooter = self.cue
+        if self.contest is not None:
+            self.contest.struck(self.aim.texts)
         self.aim.spent()
         self.shots += 1
         self.moving = self.shown_shot = True
-        self._read()
+        self.read()
+
+    def refuse(self, why: str) -> None:
+        """Say why something cannot be done now."""
+        self.warn(f"refused.{why}")
+
+    def lay(self, places: Sequence[setup.Place]) -> None:
+        """Lay all balls down at rest, in their order, metres."""
+        self.put([State(at, (0.0, 0.0), (0.0, 0.0, 0.0)) for at in places])
+        self._lay = self._layout()
+
+    def put_ball(self, name: str, at: setup.Place) -> None:
+        """Lay one ball down elsewhere."""
+        self.lay([at if ball.name == name else ball.position for ball in self.world.balls])
 
     def _place(self) -> None:
+        if self.contest is not None:
+            self.refuse("match")
+            return
         spots = setup.places(self.world, self._rng)
-        self._put([State(at, (0.0, 0.0), (0.0, 0.0, 0.0)) for at in spots])
+        self.put([State(at, (0.0, 0.0), (0.0, 0.0, 0.0)) for at in spots])
 
     def _stop(self) -> None:
+        """Stop all balls; the stroke of a match goes on to its end instead, for it counts."""
+        if self.contest is not None and self.moving:
+            playhead.skip(self)
+            return
         self.world.stop()
         self._rest()
-        self._read()
+        self.read()
 
     def _retry(self) -> None:
         """The balls go back to where they lay before the last shot; the same entry may be shot."""
-        self._put(self._lay)
+        if self.contest is not None:
+            self.contest.take_back(self)
+        self.put(self._lay)
         self.aim.leave()
         if not self.moving:
             self.aim.finish()
-
-    def _pause(self) -> None:
-        self.paused = not self.paused
-
-    def _frame(self) -> None:
-        self.paused = True
-        self._run(FRAME)
-
-    def _skip(self) -> None:
-        """Go on to the end of the shot at once, unless it has none."""
-        for _ in range(LONGEST_SHOT):
-            if self.moving:
-                self._step(1.0)
-        self._read()
 
     def _help(self) -> None:
         self.help = not self.help
 
     def _settings(self) -> None:
-        self.sheet = not self.sheet
+        sitting.sheet(self, "settings")
 
     def _quit(self) -> None:
         self.over = True
 
-    def _set(self, value: str) -> None:
-        """Write numbers into boxes by their names ("side 1.5 follow 0.5"), as the mouse does."""
-        words = value.split()
-        if self.moving:
-            return
-        self.shown_shot = False
-        self.aim.put(**{n: float(v) for n, v in zip(words[::2], words[1::2], strict=True)})
-        self.aim.leave()
-        if not self.aim.faults:
-            self.aim.finish()
+    def warn(self, key: str) -> None:
+        """Say what cannot be."""
+        self.notice = Notice(key, error=True)
+
+    def _undo(self) -> None:
+        if not self.history.undo(self):
+            self.notice = Notice("undo")
+
+    def _redo(self) -> None:
+        if not self.history.redo(self):
+            self.notice = Notice("redo")
 
     # -- what time does ------------------------------------------------------------------------
 
+    @property
+    def held(self) -> bool:
+        """Does a page over the table hold the game?"""
+        return self.help or bool(self.sheet)
+
     def advance(self, ticks: int) -> None:
         """Let time pass: at most `substeps` calls of `world.step`, none while nothing moves."""
-        if self.moving and not (self.paused or self.help or self.sheet):
-            self._run(ticks)
+        if not self.held:
+            playhead.advance(self, ticks)
         self.tick += ticks
 
-    def _run(self, ticks: int) -> None:
+    def run(self, ticks: int) -> None:
+        """Let the balls roll for `ticks` of the shot's own time."""
         if not self.moving:
             return
         before, events = self.tick // READING, len(self.world.log)
@@ -219,7 +269,7 @@ class Game:
         self.version += 1
         due = (self.tick + ticks) // READING != before
         if due or not self.moving or self.paused or len(self.world.log) != events:
-            self._read()
+            self.read()
 
     def _step(self, dt: float) -> None:
         before = len(self.world.log)
@@ -242,6 +292,8 @@ class Game:
         """All balls lie still: an entry begun meanwhile comes on show."""
         self.moving = False
         self.stamp += 1
+        if self.contest is not None:
+            self.contest.rested(self)
         if self.aim.box is not None or self.aim.complete:
             self.shown_shot = False
 
@@ -275,8 +327,8 @@ class Game:
         """How many balls the cue ball has met in this shot, and how often it has met a cushion."""
         key = (self.stamp, len(self.world.log))
         if key != self._counts[0]:
-            own = [event for event in self.world.log if self.cue in event.balls]
-            met = {name for e in own if e.kind == "ball" for name in e.balls} - {self.cue}
+            own = [event for event in self.world.log if self.shooter in event.balls]
+            met = {name for e in own if e.kind == "ball" for name in e.balls} - {self.shooter}
             self._counts = key, (len(met), sum(e.kind == "cushion" for e in own))
         return self._counts[1]
 
@@ -293,8 +345,9 @@ class Game:
     def _layout(self) -> list[State]:
         return [State(b.position, b.velocity, b.spin) for b in self.world.balls]
 
-    def _put(self, states: Sequence[State]) -> None:
+    def put(self, states: Sequence[State]) -> None:
         """Put all balls back; those of a scene that had begun in motion move again."""
+        self.head.live()
         self.world.stop()
         for ball, state in zip(self.world.balls, states, strict=True):
             ball.position, ball.velocity, ball.spin = state
@@ -302,40 +355,42 @@ class Game:
         self._changed()
         self.began = self.world.time
         self.moving = self.shown_shot = self._moves()
-        self._read()
+        self.read()
 
-    def _read(self) -> None:
+    @property
+    def seen(self) -> dict[str, State]:
+        """Every ball at the moment on show: now, or the one that the timeline has been put to."""
+        if self.head.at is None:
+            return {b.name: State(b.position, b.velocity, b.spin) for b in self.world.balls}
+        key = self.stamp, self.began, self.head.at
+        if key != self._seen[0]:
+            self._seen = key, self.world.log.at(playhead.moment(self))
+        return self._seen[1]
+
+    def read(self) -> None:
         """Take |v|, |ω|R and |ωz|R of the cue ball, m/s, and how long the shot has lasted, s."""
         self.news += 1
-        ball = self.world.ball(self.cue)
-        wx, wy, wz = ball.spin
-        self.readout = hypot(*ball.velocity), hypot(wx, wy, wz) * ball.radius, abs(wz) * ball.radius
+        name = self.shooter if self.shown_shot else self.cue
+        ball, state = self.world.ball(name), self.seen[name]
+        wx, wy, wz = (w * ball.radius for w in state.spin)
+        self.readout = hypot(*state.velocity), hypot(wx, wy, wz), abs(wz)
         log = self.world.log
         rested = not self.moving and len(log) and log[-1].kind == "rest"
         now = log[-1].time if rested else self.world.time
+        if self.head.at is not None:
+            now = playhead.moment(self)
         self.readout_time = now - self.began if self.shown_shot else 0.0
-
-    def _take_over_launch(self) -> None:
-        """Write into the boxes what a scene has already given to the cue ball."""
-        ball = self.world.ball(self.cue)
-        v = complex(*ball.velocity)
-        if v:
-            ahead = v / abs(v)
-            wx, wy, wz = (w * ball.radius for w in ball.spin)
-            spin = complex(wx, wy) / ahead
-            angle = degrees(phase(v))
-            numbers = (abs(v), spin.imag, spin.real, wz, angle)
-            self.aim.texts = [plain(n, 3) for n in numbers]
-        self.aim.spent()
-        self.shown_shot = True
-        self.began = self.world.time
 
     _handlers: ClassVar[dict[str, Callable[..., None]]] = {
         "edit": _edit, "clear": _clear, "type": _type, "erase": _erase, "enter": _enter,
         "leave": _leave, "shoot": _shoot, "fire": _fire, "place": _place, "stop": _stop,
-        "retry": _retry, "pause": _pause, "frame": _frame, "skip": _skip, "help": _help,
-        "settings": _settings, "quit": _quit, "set": _set, "engine": choices.engine,
+        "retry": _retry, "undo": _undo, "redo": _redo, "help": _help,
+        "settings": _settings, "quit": _quit, **aiming.HANDLERS, **playhead.HANDLERS,
+        "engine": choices.engine,
         "law": choices.law, "cloth": choices.cloth, "table": choices.table,
         "language": choices.language,
+        "sheet": sitting.sheet, "match": sitting.match, "next": sitting.show_next,
+        "intend": sitting.intend, "play": sitting.play, "arrange": sitting.arrange,
+        "hold": sitting.hold, "move": sitting.move, "line": sitting.line, "scene": sitting.scene,
     }  # fmt: skip
 

@@ -14,7 +14,7 @@ from .tip import LEVER
 if TYPE_CHECKING:
     from .play import Game
 
-ANGLE, SPEED, TIP = 0.1, 0.02, 0.02
+ANGLE, SPEED, TIP = 0.05, 0.02, 0.01
 """Standard errors of the angle, degrees, of the speed, a share, and of the tip, ball radii: those
 of a good amateur."""
 SAMPLES = 40

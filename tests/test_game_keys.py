@@ -273,8 +273,8 @@ def test_dragging_sets_power_tip_and_angle_in_the_boxes(app):
     assert app.game.aim.texts[0] == "8"
     click(app, layout.tip.center, (layout.tip.centerx, layout.tip.y - 500))
     side, follow = float(app.game.aim.texts[3]), float(app.game.aim.texts[1])
-    # dragged far outside, the tip stays on the miscue ring: 2.5 V / 2
-    assert hypot(side, follow) == pytest.approx(10, abs=0.02)
+    # dragged far outside, the tip stays on the miscue ring: 2.5 V μ / √(1 + μ²) with μ = 0.6
+    assert hypot(side, follow) == pytest.approx(2.5 * 8 * 0.6 / hypot(1, 0.6), abs=0.02)
     x, y = layout.to_screen(*app.game.world.ball("white").position)
     click(app, (x, y - 50))
     assert float(app.game.aim.texts[4]) == pytest.approx(90, abs=1.5)
@@ -285,7 +285,7 @@ def test_the_lanes_buttons_go_back_play_and_skip(app):
     strip = app.view.sight.layout.timeline
     from game.render.lanes import buttons
 
-    back, play, ahead = (b.center for b in buttons(strip, app.view.sight.layout.s))
+    *_, back, play, ahead = (b.center for b in buttons(strip, app.view.sight.layout.s))
     start = places(app.game)
     click(app, play)
     assert app.game.moving
@@ -296,6 +296,9 @@ def test_the_lanes_buttons_go_back_play_and_skip(app):
     click(app, ahead)
     assert not app.game.moving
     click(app, back)
+    assert [app.game.seen[b.name].position for b in app.game.world.balls] == start
+    assert places(app.game) != start
+    press(app, "r")
     assert places(app.game) == start
 
 

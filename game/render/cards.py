@@ -35,10 +35,11 @@ def score(
     playing: bool,
     ball: pygame.Surface | None = None,
     share: float | None = None,
+    tone: Colour | None = None,
 ) -> pygame.Rect:
     """Draw a player's plate: `goal` is written after a slash, `share` fills the bar (None: no bar).
 
-    `ball` is a sprite of the player's ball; `averages` may be empty.
+    `ball` is a sprite of the player's ball; `averages` may be empty, `tone` is its own colour.
     """
     s = type_.s
     card(surface, rect, s, playing)
@@ -56,7 +57,7 @@ def score(
     end -= round(70 * s) if share is not None else 0
     name, averages = type_.fitted(name, 15, end - left), type_.fitted(averages, 12, end - left)
     type_.draw(surface, name, (left, rect.y + lift * s), 15, strong if playing else weak)
-    type_.draw(surface, averages, (left, rect.y + 39 * s), 12, weak)
+    type_.draw(surface, averages, (left, rect.y + 39 * s), 12, tone or weak)
     if share is not None:
         bar = pygame.Rect(end + round(8 * s), 0, round(62 * s), round(4 * s))
         bar.centery = rect.centery

@@ -35,6 +35,8 @@ ERROR = rgb("#FF8A7A")
 GOOD = rgb("#7BD88F")
 WHITE = (255, 255, 255)
 HALO = rgb("#030E1A")
+LILAC = rgb("#CDB8FF")
+"""What the computer intends: no ball and no state of the interface has this colour."""
 
 CLOTHS = {"blue": rgb("#1B6292"), "green": rgb("#17694B")}
 WOOD = rgb("#5C3B27")

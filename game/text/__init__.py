@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from . import en, ko
+from . import en, en_match, en_play, ko, ko_match, ko_play
 
-LANGUAGES = {"en": en.WORDS, "ko": ko.WORDS}
+LANGUAGES = {
+    "en": en.WORDS | en_match.WORDS | en_play.WORDS,
+    "ko": ko.WORDS | ko_match.WORDS | ko_play.WORDS,
+}
 
 
 def words(language: str) -> dict[str, str]:

@@ -9,10 +9,11 @@ from math import atan2, copysign, hypot, radians
 import pygame
 
 from game.play import Game
+from game.playhead import moment
 from game.preview import Contact, Place, Preview, path
 from game.render import lines
 from game.render.layout import Layout
-from game.render.theme import WHITE, BallLook
+from game.render.theme import ACCENT, LILAC, WHITE, BallLook, Colour
 
 FADE = 0.75
 """Metres over which the object ball's path fades away."""
@@ -27,9 +28,11 @@ def aiming(game: Game) -> bool:
 def key(game: Game, aids: str) -> object:
     """What decides how the marks look: equal keys, equal marks."""
     if aiming(game):
-        return "aim", game.preview_key, aids
+        if game.arranging:
+            return "arrange", game.held_ball, game.stamp
+        return "aim", game.preview_key, aids, computer(game)
     if game.shown_shot:
-        return "shot", game.stamp, len(game.world.log), game.moving
+        return "shot", game.stamp, len(game.world.log), game.moving, game.head.at
     return None
 
 
@@ -38,6 +41,9 @@ def draw(
 ) -> list[pygame.Rect]:
     """Draw the marks, with `aids` "off" "short" or "full"; returns the rectangles around them."""
     if aiming(game):
+        if game.arranging:
+            return [_taken(surface, layout, game)]
+        aids = "full" if computer(game) else aids
         if aids == "off":
             return []
         preview = game.preview
@@ -47,6 +53,13 @@ def draw(
             return _direction(surface, layout, game)
         return _preview(surface, layout, game, preview, looks)
     return _traces(surface, layout, game, looks) if game.shown_shot else []
+
+
+def _taken(surface: pygame.Surface, layout: Layout, game: Game) -> pygame.Rect:
+    """Draw a ring around the ball in hand."""
+    ball = game.world.ball(game.held_ball)
+    centre, radius = layout.to_screen(*ball.position), 1.45 * ball.radius * layout.scale
+    return lines.ring(surface, centre, radius, ACCENT, 2.0 * layout.s, 0.95)
 
 
 def _screen(layout: Layout, points: Sequence[Place]) -> list[tuple[float, float]]:
@@ -71,27 +84,37 @@ def _first(
 def _preview(
     surface: pygame.Surface, layout: Layout, game: Game, seen: Preview, looks: Sequence[BallLook]
 ) -> Rects:
-    s, contact = layout.s, seen.contact
+    s, contact, ink = layout.s, seen.contact, _ink(game)
     radius = game.world.ball(game.cue).radius * layout.scale
     rects = []
     way = _screen(layout, seen.way)
     if contact is None:
-        rects.append(lines.polyline(surface, way, WHITE, 1.7 * s, 0.92, fade=(1.0, 0.33)))
+        rects.append(lines.polyline(surface, way, ink, 1.7 * s, 0.92, fade=(1.0, 0.33)))
     else:
-        rects.append(lines.polyline(surface, _clear(way, radius), WHITE, 1.6 * s, 0.95))
+        rects.append(lines.polyline(surface, _clear(way, radius), ink, 1.6 * s, 0.95))
         beyond = _screen(layout, seen.beyond)
-        rects.append(lines.polyline(surface, beyond, WHITE, 1.7 * s, 0.85, fade=(1.0, 0.35)))
+        rects.append(lines.polyline(surface, beyond, ink, 1.7 * s, 0.85, fade=(1.0, 0.35)))
         rects += _object(surface, layout, game, seen, looks)
     for at, out in seen.bounces:
         centre = layout.to_screen(*at)
-        rects.append(lines.bounce(surface, centre, (out[0], -out[1]), radius, WHITE, s, 0.75))
+        rects.append(lines.bounce(surface, centre, (out[0], -out[1]), radius, ink, s, 0.75))
     last = (seen.beyond or seen.way)[-1:]
     if last:
         end = layout.to_screen(*last[0])
-        rects.append(lines.ring(surface, end, radius, WHITE, 1.4 * s, 0.55))
+        rects.append(lines.ring(surface, end, radius, ink, 1.4 * s, 0.55))
     if contact is not None:
         rects += _meeting(surface, layout, game, contact, looks)
     return rects
+
+
+def _ink(game: Game) -> Colour:
+    """White for what a person aims at, lilac for what the computer intends."""
+    return LILAC if computer(game) else WHITE
+
+
+def computer(game: Game) -> bool:
+    """Does the computer show what it intends?"""
+    return game.contest is not None and game.contest.level is not None
 
 
 def _direction(surface: pygame.Surface, layout: Layout, game: Game) -> Rects:
@@ -160,7 +183,7 @@ def _meeting(
     ghost = layout.to_screen(*contact.ghost)
     rects = [lines.ghost(surface, ghost, radius, s)]
     places = (contact.ghost, contact.other)
-    colours = (WHITE, looks[_index(game, contact.ball)].ui)
+    colours = (_ink(game), looks[_index(game, contact.ball)].ui)
     for at, velocity, colour in zip(places, contact.leaves, colours, strict=True):
         if hypot(*velocity) > 1e-3:
             angle = atan2(-velocity[1], velocity[0])
@@ -172,10 +195,10 @@ def _meeting(
 def _traces(
     surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook]
 ) -> Rects:
-    """Draw where the balls have run up to the last event."""
+    """Draw where the balls have run up to the last event, or to the moment on show."""
     log, s = game.world.log, layout.s
-    now = game.world.time
-    if game.moving:
+    now = moment(game)
+    if game.moving and game.head.at is None:
         now = log[-1].time if len(log) else game.began
     rects: Rects = []
     for name in game.traced:
@@ -186,13 +209,20 @@ def _traces(
             rects.append(lines.trace(surface, shown, look.ui, s, dashes=look.dashes))
             radius = game.world.ball(name).radius * layout.scale
             rects.append(lines.ring(surface, shown[0], radius, look.ui, 1.3 * s, 0.8))
-    return rects + _hits(surface, layout, game, looks)
+        if game.head.at is not None:
+            ahead = _screen(layout, path(log, name, now, game.world.time))
+            rects.append(lines.polyline(surface, ahead, look.ui, 1.3 * s, 0.26))
+    return rects + _hits(surface, layout, game, looks, now)
 
 
-def _hits(surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook]) -> Rects:
+def _hits(
+    surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook], now: float
+) -> Rects:
     normals = {wall.name: wall.normal for wall in game.world.walls}
     s, rects = layout.s, []
     for event in game.world.log:
+        if event.time > now:
+            break
         if event.balls[0] not in game.traced:
             continue
         if event.kind == "cushion":

@@ -15,8 +15,10 @@ from game.render import cards, fields, icons
 from game.render.layout import Layout
 from game.render.text import Type
 from game.settings import Settings
+from game.spread import Spread
 from game.text import words
 
+from . import prompts
 from .touch import Pointer
 
 Place = tuple[float, float]
@@ -31,8 +33,11 @@ class Sight:
     type: Type
     pointer: Pointer
     preferences: Preferences
+    spread: Spread
     mode: str = "aim"
     """The right column: "aim" shows the next shot, "after" the last one."""
+    portrait: Callable[[int], pygame.Surface] | None = None
+    """The picture of a ball, by its place among the balls, for lists and plates."""
 
     @property
     def words(self) -> dict[str, str]:
@@ -46,9 +51,14 @@ class Sight:
 Key = Callable[[Sight], Hashable]
 Draw = Callable[[pygame.Surface, pygame.Rect, Sight], pygame.Rect]
 Touch = Callable[[Place, pygame.Rect, Sight], Action | None]
+Wheel = Callable[[int, Sight], Action | None]
 
 
 def _no_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
+    return None
+
+
+def _no_wheel(steps: int, sight: Sight) -> Action | None:
     return None
 
 
@@ -57,8 +67,8 @@ class Part:
     """A piece of the window.
 
     key: what its picture depends on; draw: paints it and returns what it touched; touch: what a
-    press of the mouse there means; `drags` parts are touched again while the mouse moves; `mode`:
-    shown in this column only; `spill`: px at s = 1 by which the picture may stand out.
+    press of the mouse there means; wheel: what so many notches up mean; `drags` parts are touched
+    again while the mouse moves; `mode`: shown in this column only; `spill`: px at s = 1 by which the picture may stand out.
     """
 
     name: str
@@ -69,6 +79,7 @@ class Part:
     drags: bool = False
     mode: str = ""
     spill: int = 0
+    wheel: Wheel = _no_wheel
 
 
 def number(value: float, places: int = 2) -> str:
@@ -124,6 +135,8 @@ def _shoot_look(sight: Sight) -> tuple[str, str, str]:
     game, w = sight.game, sight.words
     hot = sight.pointer.over == "shoot"
     state = ("pressed" if sight.pointer.down else "hover") if hot else "idle"
+    if own := prompts.button(game):
+        return w[own[0]], w[own[1]], state
     if game.moving:
         return w["stop"], w["key.space"], state
     if sight.mode == "after":
@@ -138,6 +151,8 @@ def _shoot_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyg
 
 
 def _shoot_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
+    if own := prompts.button(sight.game):
+        return own[2]
     if sight.game.moving:
         return Action("stop")
     return Action("edit", 0) if sight.mode == "after" else Action("fire")
@@ -161,7 +176,7 @@ def hint(game: Game, w: dict[str, str]) -> tuple[str, bool]:
         return why(aim.shown_faults[0], w), True
     if game.notice is not None:
         return w["notice." + game.notice.key], False
-    return w["hint." + _situation(game)], False
+    return w[prompts.hint(game) or "hint." + _situation(game)], False
 
 
 def _situation(game: Game) -> str:
@@ -191,6 +206,8 @@ def badge(game: Game, w: dict[str, str]) -> tuple[str, str]:
     """Engine and laws in use, and the table."""
     own = w.get("table." + game.table)
     table = own or w["table.scene"].format(name=game.table)
+    if getattr(game.world.cushion_law, "creates_energy", False):
+        table = f"{w['law.creates']} · {table}"
     return f"{w['engine.' + game.engine]} · {w['law.' + game.law]}", table
 
 

@@ -3,25 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import ceil, cos, radians, sin
+from math import ceil, cos, sin
 
 import pygame
 
 from game.play import Game
-from game.render import cue
+from game.playhead import moment
+from game.render import cue, lines
 from game.render.balls import BallSprites
+from game.render.fan import Fan
 from game.render.layout import Layout
 from game.render.table import background
 from game.settings import Settings
+from game.spread import SAMPLES, Spread
 
 from . import marks
 from .looks import look
+from .poses import Pose, pose
 from .trail import Trail
+from .turns import Turns
 
 SHADOW = 2.3
 """A ball with its shadow lies within this many radii of its centre."""
 Place = tuple[float, float]
 NOTHING = pygame.Rect(0, 0, 0, 0)
+FIRST = 8
+"""Samples after which the fan is shown for the first time, before it has them all."""
+LEAP = 0.25
+"""Seconds in one frame after which the balls' turns are taken from the log: they were not seen."""
 
 
 class Stage:
@@ -30,7 +39,9 @@ class Stage:
     `base` is the background, `lines` the background with what lies under the balls.
     """
 
-    def __init__(self, layout: Layout, game: Game, settings: Settings) -> None:
+    def __init__(
+        self, layout: Layout, game: Game, settings: Settings, spread: Spread | None = None
+    ) -> None:
         self.layout, self.radius = layout, game.world.balls[0].radius
         self.base = background(layout)
         self.lines = self.base.copy()
@@ -38,26 +49,45 @@ class Stage:
         names = enumerate(ball.name for ball in game.world.balls)
         self.looks = [look(name, i, settings.colours) for i, name in names]
         self.sprites = BallSprites(layout, self.looks, self.radius)
-        self.trail = Trail()
+        self.trail, self.turns = Trail(), Turns(self.sprites)
+        self.spread, self.fan = spread or Spread(), Fan(layout)
+        self._time, self._shown = game.world.time, (game.began, game.head.at)
         self._under: object = None
         self._marked: list[pygame.Rect] = []
         self._balls: list[tuple[object, pygame.Rect]] = [(None, NOTHING)] * len(self.looks)
         self._cue: tuple[object, pygame.Rect] = (None, NOTHING)
         self._reach = ceil(SHADOW * self.sprites.px) + 3
 
-    def roll(self, game: Game, ticks: float) -> None:
-        """Turn the balls by the spin they have had for `ticks`, and let their trails grow."""
-        for index, ball in enumerate(game.world.balls):
-            if any(ball.spin):
-                self.sprites.turn(index, ball.spin, ticks)
-        self.trail.grow(game)
+    def follow(self, game: Game) -> None:
+        """Turn the balls as they have rolled since the last time, and let their trails grow."""
+        before, self._time = self._time, game.world.time
+        shown, self._shown = self._shown, (game.began, game.head.at)
+        new = self.turns.begin(game)
+        since = game.world.time - (game.began if new else before)
+        if game.head.at is not None or (shown != self._shown and not new) or since > LEAP:
+            if game.shown_shot:
+                self.turns.show(game, moment(game) - game.began)
+        elif since > 0.0:
+            for index, ball in enumerate(game.world.balls):
+                if any(ball.spin):
+                    self.sprites.turn(index, ball.spin, since)
+        if since > 0.0 and game.head.at is None:
+            self.trail.grow(game)
+
+    def take_over(self, other: Stage) -> None:
+        """Go on where the stage of another size has been."""
+        for i in range(len(self.looks)):
+            self.sprites.orient(i, other.sprites.orientation(i))
+        self.trail, self.turns = other.trail, other.turns.on(self.sprites)
+        self._time, self._shown = other._time, other._shown
 
     def draw(self, surface: pygame.Surface, game: Game) -> list[pygame.Rect]:
         """Bring the table up to date; returns the rectangles that changed."""
         dirty = self._draw_lines(game)
-        places = [(i, ball.position) for i, ball in enumerate(game.world.balls)]
+        seen = game.seen
+        places = [(i, seen[ball.name].position) for i, ball in enumerate(game.world.balls)]
         dirty += self._moved(places)
-        stroke = self._stroke(game)
+        stroke = pose(game, self.settings.still)
         if stroke != self._cue[0]:
             dirty += [self._cue[1], self._cue_room(stroke)]
             self._cue = (stroke, dirty[-1])
@@ -80,7 +110,7 @@ class Stage:
     def _draw_lines(self, game: Game) -> list[pygame.Rect]:
         """Redraw what lies under the balls if it is not what it was."""
         aids = self.settings.aids
-        key = marks.key(game, aids)
+        key = marks.key(game, aids), self._fanned(game)
         if key == self._under:
             grown = self.trail.draw(self.lines, self.layout, game, self.looks)
             self._marked += grown
@@ -90,7 +120,8 @@ class Stage:
         for rect in old:
             self.lines.blit(self.base, rect, rect)
         self.lines.set_clip(self.layout.table)
-        self._marked = marks.draw(self.lines, self.layout, game, self.looks, aids)
+        fan = self._draw_fan(game)
+        self._marked = fan + marks.draw(self.lines, self.layout, game, self.looks, aids)
         self.lines.set_clip(None)
         self._marked += self.trail.draw(self.lines, self.layout, game, self.looks)
         return old + self._marked
@@ -113,20 +144,27 @@ class Stage:
         side = 2 * self._reach
         return pygame.Rect(int(x) - self._reach, int(y) - self._reach, side, side)
 
-    def _stroke(self, game: Game) -> tuple[Place, float, float] | None:
-        """Where the cue is: (ball, angle, pull) or None while it is put away."""
-        shot = game.aim.shot if marks.aiming(game) else None
-        if shot is None:
-            return None
-        pull = 0.03 + 0.15 * min(shot.speed / 8.0, 1.0)
-        return game.world.ball(game.cue).position, radians(shot.angle), pull
+    def _fanned(self, game: Game) -> int:
+        """How many samples of the spread are on show: none, the first ones, or all of them."""
+        count = len(self.spread.samples) if marks.aiming(game) else 0
+        return count if count == SAMPLES else FIRST if count >= FIRST else 0
 
-    def _cue_room(self, stroke: tuple[Place, float, float] | None) -> pygame.Rect:
+    def _draw_fan(self, game: Game) -> list[pygame.Rect]:
+        count = self._fanned(game)
+        if not count:
+            return []
+        self.fan.clear()
+        for one in self.spread.samples[:count]:
+            way = [self.layout.to_screen(*p) for p in one.way]
+            self.fan.add(lines.decimated(way) if len(way) > 1 else way)
+        return [self.fan.draw(self.lines)]
+
+    def _cue_room(self, stroke: Pose | None) -> pygame.Rect:
         """The rectangle around cue and shadow, inside the table."""
         if stroke is None:
             return NOTHING
-        (x, y), angle, pull = stroke
-        reach = (self.radius, self.radius + pull + cue.LENGTH + 0.05)
+        (x, y), angle, pull, _ = stroke
+        reach = (self.radius + pull, self.radius + pull + cue.LENGTH + 0.05)
         ends = [self.layout.to_screen(x - d * cos(angle), y - d * sin(angle)) for d in reach]
         left, right = sorted((ends[0][0], ends[1][0]))
         top, bottom = sorted((ends[0][1], ends[1][1]))
@@ -139,7 +177,7 @@ class Stage:
         surface: pygame.Surface,
         rect: pygame.Rect,
         places: list[tuple[int, Place]],
-        stroke: tuple[Place, float, float] | None,
+        stroke: Pose | None,
     ) -> None:
         """Put the layers together inside `rect`."""
         surface.set_clip(rect)
@@ -147,7 +185,7 @@ class Stage:
         near = [(i, at) for i, at in places if self._balls[i][1].colliderect(rect)]
         self.sprites.draw_all(surface, near)
         if stroke is not None and self._cue[1].colliderect(rect):
-            cue.draw(surface, self.layout, *stroke, 1.0, self.radius)
+            cue.draw(surface, self.layout, *stroke, self.radius)
         surface.set_clip(None)
 
 

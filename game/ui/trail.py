@@ -35,7 +35,7 @@ class Trail:
 
     def _follow(self, game: Game) -> None:
         """Begin anew after an event, a shot or a stop."""
-        since = (game.stamp, len(game.world.log), game.shown_shot and game.moving)
+        since = game.stamp, len(game.world.log), _grows(game)
         if since != self._since:
             self._since, self._drawn = since, {}
             self._points = {i: [at] for i, at in _last_places(game).items()}
@@ -73,9 +73,14 @@ def _stroke(
     return dirty.clip(surface.get_rect())
 
 
+def _grows(game: Game) -> bool:
+    """Do the balls run before the player's eyes?"""
+    return game.shown_shot and game.moving and game.head.at is None
+
+
 def _last_places(game: Game) -> dict[int, Place]:
     """Where the balls that leave a trace were at the last event, or when the shot began."""
-    if not (game.shown_shot and game.moving):
+    if not _grows(game):
         return {}
     log = game.world.log
     states = log.at(log[-1].time if len(log) else game.began)

@@ -11,16 +11,28 @@ from game.play import Game
 from game.preferences import Preferences
 from game.render.layout import Layout
 from game.render.text import Type
+from game.spread import Spread
 
 from . import help as page
+from .marks import aiming
+from .menu import Menu
+from .pages import Page
 from .panels import shot_parts
 from .parts import Part, Sight, fixed_parts
+from .rules import Rules
 from .sheet import Sheet
+from .shelf import Shelf
 from .stage import Stage
 from .touch import Pointer
 
 LEAST = (640, 360)
 """A window smaller than this shows its contents cut off rather than unreadably small."""
+
+
+STILL = 0.15
+"""Seconds after which an aim counts as still."""
+BATCH = 2
+"""Samples of the spread taken in a frame."""
 
 
 class View:
@@ -34,10 +46,22 @@ class View:
         width: float,
         preferences: Preferences | None = None,
     ) -> None:
-        self.game, self.pointer, self.sheet = game, Pointer(), Sheet()
+        self.game, self.pointer, self.spread = game, Pointer(), Spread()
+        self.sheets: dict[str, Page] = {
+            "settings": Sheet(), "menu": Menu(), "shelf": Shelf(), "rules": Rules(),
+        }  # fmt: skip
         self.preferences = preferences or Preferences()
         self._table = length, width
         self._fit(size)
+
+    @property
+    def sheet(self) -> Page:
+        """The page that lies over the table."""
+        return self.sheets[self.game.sheet]
+
+    def open(self) -> None:
+        """A page has been laid over the table."""
+        self.sheet.open(self.game)
 
     def renew(self, length: float, width: float) -> None:
         """Show another table, or the same one with other balls."""
@@ -46,18 +70,17 @@ class View:
 
     def resize(self, size: tuple[int, int]) -> None:
         """Lay everything out anew."""
-        turns = [self.stage.sprites.orientation(i) for i in range(len(self.stage.looks))]
-        trail = self.stage.trail
+        before = self.stage
         self._fit(size)
-        self.stage.trail = trail
-        for i, turn in enumerate(turns):
-            self.stage.sprites.orient(i, turn)
+        self.stage.take_over(before)
 
     def _fit(self, size: tuple[int, int]) -> None:
         size = max(size[0], LEAST[0]), max(size[1], LEAST[1])
         layout = Layout(size, *self._table)
-        self.sight = Sight(self.game, layout, Type(layout.s), self.pointer, self.preferences)
-        self.stage = Stage(layout, self.game, self.preferences.settings)
+        given = self.pointer, self.preferences, self.spread
+        self.sight = Sight(self.game, layout, Type(layout.s), *given)
+        self.stage = Stage(layout, self.game, self.preferences.settings, self.spread)
+        self.sight.portrait = self.stage.sprites.portrait
         self.parts = [p for p in fixed_parts(layout) + shot_parts(layout) if p.rect.w and p.rect.h]
         self._drawn: dict[str, Hashable] = {}
         self._mode = ""
@@ -70,6 +93,22 @@ class View:
     def expose(self) -> None:
         """Draw everything the next time: the window may have been covered."""
         self._whole = True
+
+    def think(self, seconds: float) -> tuple[bool, bool]:
+        """Work on what takes more than a frame, the spread: has anything changed, is it going on?
+
+        `seconds` have passed since the last time.
+        """
+        game, spread = self.game, self.spread
+        if not (self.preferences.settings.fan and aiming(game)) or game.preview is None:
+            return spread.clear(), False
+        changed = spread.follow(game, seconds)
+        if spread.still >= STILL and not spread.done:
+            spread.take(game, BATCH)
+            changed = True
+        if changed:
+            self._news = None
+        return changed, not spread.done
 
     # -- the picture ---------------------------------------------------------------------------
 
@@ -88,7 +127,7 @@ class View:
 
     def _wanted(self) -> Hashable:
         """What lies over the window: the page of keys, the settings, or None."""
-        shown = "help" if self.game.help else "sheet" if self.game.sheet else ""
+        shown = "help" if self.game.help else self.game.sheet
         return (shown, self.game.language) if shown else None
 
     def _draw_sheet(self, surface: pygame.Surface) -> list[pygame.Rect]:
@@ -164,8 +203,11 @@ class View:
         """Return what a press of the left button at a point means."""
         self.hover(at)
         part = self._at(at)
-        self.pointer.held = part.name if part else ""
-        return part.touch(at, part.rect, self.sight) if part else None
+        self.pointer.held, self.pointer.grip = part.name if part else "", None
+        self.pointer.pressing = True
+        action = part.touch(at, part.rect, self.sight) if part else None
+        self.pointer.pressing = False
+        return action
 
     def drag(self, at: tuple[int, int]) -> Action | None:
         """Return what moving the mouse with the button held means."""
@@ -176,7 +218,14 @@ class View:
 
     def release(self) -> None:
         """The button is up."""
-        self.pointer.held = ""
+        self.pointer.held, self.pointer.grip = "", None
+
+    def wheel(self, steps: int) -> Action | None:
+        """Return what turning the wheel up means where the mouse is."""
+        for part in self._shown():
+            if part.name == self.pointer.over and steps:
+                return part.wheel(steps, self.sight)
+        return None
 
     def _at(self, at: tuple[int, int]) -> Part | None:
         return next((p for p in self._shown() if p.rect.collidepoint(at)), None)
