@@ -112,7 +112,7 @@ def _play(options: Options) -> int:
 
 def new_game(options: Options) -> Game:
     """The game that the options ask for."""
-    from . import choices, setup
+    from . import choices, fixture, setup, sitting
     from .play import Game
 
     world = setup.scene_world(options.scene) if options.scene else setup.table_world(options.table)
@@ -124,6 +124,10 @@ def new_game(options: Options) -> Game:
         choices.cloth(game, options.cloth)
     if options.engine != "exact":
         choices.engine(game, options.engine)
+    if options.setup:
+        sitting.line(game, options.setup)
+    elif options.game != fixture.FREE:
+        sitting.match(game, fixture.asked(options).line())
     return game
 
 

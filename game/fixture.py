@@ -147,7 +147,5 @@ def asked(options: Options) -> Fixture:
     if not all(goal.isdecimal() for goal in goals):
         raise ValueError(f"a handicap is a whole number, not {options.handicap!r:.60}")
     seats = tuple(Seat(n.strip(), v, int(g)) for n, v, g in zip(names, levels, goals, strict=True))
-    rest = {"cloth": options.cloth, "law": options.law or "table"}
-    return Fixture(
-        options.game, seats, options.table, finish=options.finish or sagu.EXTRA_3C, **rest
-    )
+    law, finish = options.law or "table", options.finish or sagu.EXTRA_3C
+    return Fixture(options.game, seats, options.table, options.cloth, law, finish)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
 from typing import NoReturn
 
-from . import setup
+from . import fixture, setup
 from .scriptformat import FORMAT
 from .text import LANGUAGES
 
@@ -40,6 +40,12 @@ class Options:
     stats: bool = False
     version: bool = False
     cloth: str = "table"
+    game: str = "free"
+    players: str | None = None
+    level: str | None = None
+    handicap: str | None = None
+    finish: str | None = None
+    setup: str | None = None
     settings: str | None = None
     record: str | None = None
     replay: str | None = None
@@ -61,6 +67,8 @@ def read(arguments: list[str] | None = None) -> Options:
         parser.error("--record and --replay exclude each other")
     if "headless" in found and "replay" not in found:
         parser.error("--headless needs --replay")
+    if "game" in found:
+        found.setdefault("table", fixture.TABLES[found["game"]])
     return Options(**found, given=frozenset(found))
 
 
@@ -99,6 +107,8 @@ def _parser(
     add("--substeps", type=_count(1, 1000), metavar="N", help="physics calls a frame (6)")
     add("--table", choices=[*setup.TABLES], help="table and its balls (medium)")
     add("--scene", choices=[*setup.SCENES], help="begin with a scene of the physics package")
+    _add_match(parser)
+    add("--setup", metavar="LINE", help="balls as a copied line says, perhaps with a shot")
     add("--cloth", choices=[*setup.CLOTHS], help="condition of the cloth (the table's)")
     add("--engine", choices=[*setup.ENGINES], help="exact events (exact), or time steps")
     add("--law", choices=[*setup.LAWS], help="laws of collision (the table's)")
@@ -120,6 +130,20 @@ def _parser(
     add("--stats", action="store_true", help="print counts: frames, physics calls, events")
     add("--version", action="store_true", help="print which pygame is in use")
     return parser
+
+
+def _add_match(parser: argparse.ArgumentParser) -> None:
+    """Add the options that begin a match."""
+    add = parser.add_argument
+    add("--game", choices=fixture.GAMES, help="what to play (free)")
+    add("--players", metavar="N|NAMES", help="1 or 2, or their names: Ann,Bo (2)")
+    add(
+        "--level",
+        metavar="LEVELS",
+        help=f"who plays: {', '.join(fixture.SEATS)}; for each, or last",
+    )
+    add("--handicap", metavar="POINTS", help="points to reach, for each player or for all (10)")
+    add("--finish", choices=fixture.FINISHES, help="how a game of 4-ball ends (extra_3c)")
 
 
 def _count(least: int, most: int) -> Callable[[str], int]:

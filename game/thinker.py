@@ -20,11 +20,11 @@ from .match.match import Match
 from .match.opponent import Opponent
 from .play import Game
 
-BUDGET = 0.006
+BUDGET = 0.009
 """Seconds of thinking in a frame of 16.7 ms."""
-STEPS = 12
+STEPS = 8
 """Simulations in a frame whose time is counted and not measured."""
-EFFORT = 1600
+EFFORT = 900
 """Aims tried at most: what remains to be found after these is not worth the waiting."""
 LOOK = TICKS * 6 // 5
 """How long the last stroke stays on show before the computer's intention replaces it."""
@@ -34,10 +34,10 @@ GLANCE = TICKS // 5
 """How often what it intends is shown while it changes."""
 HURRY = ("skip", "shoot", "fire", "stop", "next")
 """What a person does while the computer thinks that means: strike now."""
-AIMING = frozenset(
-    "edit clear type erase enter leave set turn power push tip nudge centre elevate tilt thick "
-    "thicker".split()
-)
+AIMING = (
+    "edit", "clear", "type", "erase", "enter", "leave", "set", "turn", "power", "push", "tip",
+    "nudge", "centre", "elevate", "tilt", "thick", "thicker",
+)  # fmt: skip
 """What a person does for the next stroke: not on the computer's turn."""
 PLACES = 4
 """Decimals of its numbers: what is in the boxes is exactly what is struck."""

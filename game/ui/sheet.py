@@ -8,6 +8,7 @@ import pygame
 
 from game.actions import Action
 from game.keys import NAMES
+from game.play import Game
 
 from . import sheetview
 from .choices import CHOSEN, ROWS, Row, beside, chosen, current
@@ -31,6 +32,13 @@ class Sheet:
         self.over = sheetview.NOTHING
         """The part under the mouse."""
         self._sliding = False
+
+    typing = False
+    """Characters are never typed here."""
+
+    def open(self, game: Game) -> None:
+        """Stand where it stood when it was closed."""
+        self.waiting = False
 
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
