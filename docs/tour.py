@@ -32,7 +32,7 @@ for law in ("rigid", "thesis"):
     x, y = after.balls[1].position
     print(f"{law:9} red rests at ({x:.6f}, {y:.6f})")
 
-# the thesis's way, in steps of 1/180 s, is half a metre off
+# the thesis's way, in steps of 1/180 s, is a quarter of a metre off
 exact = simulate(world, white, shot)
 world.engine = TimeStepping(dt=1 / 180)
 late = simulate(world, white, shot)

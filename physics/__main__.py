@@ -1,12 +1,13 @@
-"""`python -m physics scene NAME`: play a scene, print its events, write its paths, draw it."""
+"""From the command line: `scene` plays a scene and tells of it, `sweep` plays many shots in it."""
 
 import argparse
 import csv
+import re
 import sys
 from math import hypot, inf
 from typing import NoReturn
 
-from . import scenes, tables
+from . import scenes, sweep, tables
 from .engine import EventBudgetError, EventDriven
 from .log import Event
 from .stepping import SCHEMES, TimeStepping
@@ -19,13 +20,34 @@ WORDS = {"exact": "exact engine", "literal": "the thesis's program", "thesis": "
 
 def main(argv: list[str] | None = None) -> int:
     """Exit code 0, or 2 with a message where something cannot be."""
-    options = parser().parse_args(argv)
+    options = parser().parse_args(joined(sys.argv[1:] if argv is None else argv))
     if options.name not in scenes.SCENES:
         return refuse(f"no scene {options.name!r}: there are {', '.join(scenes.SCENES)}")
     try:
-        return scene(options)
+        world = scenes.SCENES[options.name]()
+        set_laws(world, options.law)
+        if options.command == "scene":
+            return scene(world, options)
+        if options.engine:
+            world.engine = chosen(options.engine, options.dt)
+        said = sweep.sweep(world, options)
+        print(said, file=sys.stderr)
+        return 0
     except (ValueError, EventBudgetError, ImportError, OSError) as error:
         return refuse(str(error))
+    except KeyboardInterrupt:
+        return refuse("stopped")
+
+
+def joined(words: list[str]) -> list[str]:
+    """`--angle -10:10:1` as `--angle=-10:10:1`, which argparse does not mistake for an option."""
+    whole: list[str] = []
+    for word in words:
+        if whole and whole[-1][2:] in sweep.NUMBERS and re.match(r"-[\d.]", word):
+            whole[-1] += f"={word}"
+        else:
+            whole.append(word)
+    return whole
 
 
 def refuse(message: str) -> int:
@@ -41,33 +63,34 @@ class Parser(argparse.ArgumentParser):
 def parser() -> argparse.ArgumentParser:
     """The options."""
     commands = Parser(prog="python -m physics", description="Billiards, exact.")
-    sub = commands.add_subparsers(dest="command", required=True, metavar="scene")
-    engines = ["exact", *SCHEMES]
+    sub = commands.add_subparsers(dest="command", required=True, metavar="scene or sweep")
     one = sub.add_parser("scene", help="play a scene and print what happens")
-    one.add_argument("name", metavar="NAME", help=", ".join(scenes.SCENES))
-    one.add_argument("--law", choices=LAWS, help="cloth and laws of a table instead of the scene's")
-    one.add_argument(
-        "--engine", choices=engines, help="what moves the balls, instead of the scene's"
-    )
+    many = sub.add_parser("sweep", help="play many shots in a scene, each from its beginning")
+    engines = ["exact", *SCHEMES]
+    for each in (one, many):
+        each.add_argument("name", metavar="NAME", help=", ".join(scenes.SCENES))
+        each.add_argument("--law", choices=LAWS, help="cloth and laws of this table")
+        each.add_argument("--engine", choices=engines, help="what moves the balls")
+        each.add_argument("--dt", type=float, default=1 / 180, help="s, of fixed steps (1/180)")
     one.add_argument("--against", choices=engines, help="a second engine, dashed in the picture")
-    one.add_argument("--dt", type=float, default=1 / 180, help="s, of stepping engines (1/180)")
     one.add_argument("--until", type=float, default=inf, help="s; all at rest if not given")
     one.add_argument("--rate", type=float, default=60.0, help="samples a second of --csv (60)")
     one.add_argument("--csv", metavar="FILE", help="write time and x, y of every ball, s and m")
     one.add_argument("--png", metavar="FILE", help="write a picture (needs matplotlib)")
+    sweep.add_options(many)
     return commands
 
 
-def scene(options: argparse.Namespace) -> int:
+def set_laws(world: World, name: str | None) -> None:
+    """Cloth and laws of a table."""
+    if name:
+        table = LAWS[name]
+        world.cloth, world.ball_law = table.cloth, table.ball_law
+        world.cushion_law = table.cushion_law
+
+
+def scene(start: World, options: argparse.Namespace) -> int:
     """Play it and write what is wanted."""
-    start = scenes.SCENES[options.name]()
-    if options.law:
-        table = LAWS[options.law]
-        start.cloth, start.ball_law, start.cushion_law = (
-            table.cloth,
-            table.ball_law,
-            table.cushion_law,
-        )
     other = start.copy() if options.against else None
     world = played(start, options.engine, options.dt, options.until)
     report(world, options)
@@ -80,10 +103,15 @@ def scene(options: argparse.Namespace) -> int:
     return 0
 
 
+def chosen(engine: str, dt: float) -> EventDriven | TimeStepping:
+    """By its name."""
+    return EventDriven() if engine == "exact" else TimeStepping(dt, engine)
+
+
 def played(world: World, engine: str | None, dt: float, until: float) -> World:
     """The world at the end, moved by this engine."""
     if engine:
-        world.engine = EventDriven() if engine == "exact" else TimeStepping(dt, engine)
+        world.engine = chosen(engine, dt)
     world.run(until)
     return world
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import importlib.util
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
+from math import inf
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -41,6 +42,7 @@ def simulate_many(
     shots: Sequence[Shot] | npt.ArrayLike,
     executor: Executor | None = None,
     compiled: bool | None = None,
+    progress: Callable[[int], object] | None = None,
 ) -> Outcomes:
     """What becomes of each shot at `ball`, all from the state the world is in; the world stays as
     it is.
@@ -49,28 +51,51 @@ def simulate_many(
     concurrent.futures' kind shares the work: threads (the compiled kernel lets them run at once),
     processes, a cluster's. compiled: True asks for numba (ImportError without it), False for the
     interpreter; None takes numba where it is installed and worth it. The digits are the same.
+    progress is called with the number of shots done since it was last called.
     ValueError names a bad shot; EventBudgetError as in a run.
     """
     import numpy as np
 
     world.plan()
     table = _table(shots, np)
-    if not isinstance(world.engine, EventDriven) or world.cluster_law is not None:
-        if compiled:
-            raise ValueError("this engine or cluster law runs interpreted: compiled=True cannot be")
-        return _one_by_one(world, ball, table, np)
-    starts = _starts(world, world.ball(ball).name, table, np)
-    job = Job(world.scene, world.engine.budget, _choose(world, len(starts), compiled))
-    pieces = [starts[k : k + CHUNK] for k in range(0, len(starts), CHUNK)] or [starts]
-    if executor is None:
-        parts = [job.run(piece) for piece in pieces]
-    else:
-        parts = [future.result() for future in [executor.submit(job.run, p) for p in pieces]]
+    job, rows = _job(world, world.ball(ball).name, table, compiled, np)
+    pieces = [rows[k : k + job.chunk] for k in range(0, len(rows), job.chunk)] or [rows]
+    parts = []
+    for piece, part in zip(pieces, _parts(job, pieces, executor), strict=True):
+        parts.append(part)
+        if progress is not None:
+            progress(len(piece))
     outcomes = Outcomes(*(np.concatenate(column) for column in zip(*parts, strict=True)))
-    over = np.flatnonzero(outcomes.events > world.engine.budget)
+    over = np.flatnonzero(outcomes.events > job.budget)
     if len(over):
         simulate(world, ball, Shot(*table[over[0]].tolist()))  # raises, with the scene
     return outcomes
+
+
+def _job(
+    world: World, name: str, table: Any, compiled: bool | None, np: Any
+) -> tuple[Job | OneByOne, Any]:
+    """Who plays the shots, and what they are told of each."""
+    if isinstance(world.engine, EventDriven) and world.cluster_law is None:
+        choice = _choose(world, len(table), compiled)
+        return Job(world.scene, world.engine.budget, choice, CHUNK), _starts(world, name, table, np)
+    if compiled:
+        raise ValueError("this engine or cluster law runs interpreted: compiled=True cannot be")
+    return OneByOne(world.copy(), name), table
+
+
+def _parts(job: Job | OneByOne, pieces: list[Any], executor: Executor | None) -> Iterator[Any]:
+    """What becomes of the pieces, in their order; if one fails, those not begun are dropped."""
+    if executor is None:
+        yield from map(job.run, pieces)
+        return
+    futures = [executor.submit(job.run, piece) for piece in pieces]
+    try:
+        for future in futures:
+            yield future.result()
+    finally:
+        for future in futures:
+            future.cancel()
 
 
 def _table(shots: Any, np: Any) -> Any:
@@ -127,6 +152,7 @@ class Job(NamedTuple):
     scene: body.Scene
     budget: int
     compiled: bool
+    chunk: int
 
     def run(self, starts: Any) -> tuple[Any, Any, Any]:
         """(positions, times, events) of the shots that start so."""
@@ -159,12 +185,22 @@ class Job(NamedTuple):
         return np.array(rests).reshape(shots, balls, 2), np.array(times), np.array(counts, np.int64)
 
 
-def _one_by_one(world: World, ball: Ball | str, table: Any, np: Any) -> Outcomes:
-    """The shots through an engine or a law for clusters that has no batches."""
-    worlds = [simulate(world, ball, Shot(*row)) for row in table.tolist()]
-    rests = np.array([[b.position for b in after.balls] for after in worlds])
-    return Outcomes(
-        rests.reshape(-1, len(world.balls), 2),
-        np.array([after.time - world.time for after in worlds]),
-        np.array([len(after.log) for after in worlds], np.int64),
-    )
+class OneByOne(NamedTuple):
+    """The same for an engine or a law for clusters that has no batches: world after world."""
+
+    world: World
+    ball: str
+    budget: float = inf  # every run heeds its own
+    chunk: int = 64
+
+    def run(self, table: Any) -> tuple[Any, Any, Any]:
+        """(positions, times, events) of the shots in the rows."""
+        import numpy as np
+
+        worlds = [simulate(self.world, self.ball, Shot(*row)) for row in table.tolist()]
+        rests = np.array([[ball.position for ball in after.balls] for after in worlds])
+        return (
+            rests.reshape(-1, len(self.world.balls), 2),
+            np.array([after.time - self.world.time for after in worlds]),
+            np.array([len(after.log) for after in worlds], np.int64),
+        )

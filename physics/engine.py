@@ -36,6 +36,11 @@ class EventBudgetError(RuntimeError):
     def __init__(self, budget: int, time: float, scene: dict[str, Any]) -> None:
         super().__init__(f"more than {budget} events by t = {time!r} s; the scene is in .scene")
         self.scene = scene
+        self._told = budget, time, scene
+
+    def __reduce__(self) -> Any:
+        """It may come from another process."""
+        return type(self), self._told
 
 
 @dataclass(frozen=True, slots=True)
