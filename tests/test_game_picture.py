@@ -18,6 +18,7 @@ from players import (
 
 import assets
 from game.aim import BOXES
+from game.keys import Keys
 from game.preview import path
 from game.render.cards import LOG_HEAD
 from game.render.fields import hint_room
@@ -163,13 +164,14 @@ def test_badges_and_help_fit_into_their_places(language, layout):
         for mover in (k for k in w if k.startswith("engine.")):
             assert type_.width(f"{w[mover]} · {w[law]}", 13) <= engine
     sheet = page.panel(layout)
-    assert type_.width(w["help.click"], 13) <= sheet.w - 56 * layout.s
-    for column, share in ((page.LEFT_COLUMN, 0.515), (page.RIGHT_COLUMN, 1 - 0.515)):
-        room = sheet.w * share - (28 + page.KEY_COLUMN) * layout.s
-        for _, rows in column:
-            for key, said in rows:
-                assert type_.width(w.get(key, key), 12) <= (page.KEY_COLUMN - 14) * layout.s
-                assert type_.width(w[said], 13) <= room, w[said]
+    assert all(
+        type_.width(w[line], 13) <= sheet.w - 2 * page.PAD * layout.s for line in page.MOUSE
+    )
+    room, names = page.column(layout) - page.KEY_COLUMN * layout.s, Keys().names
+    for key, said in (row for column in page.COLUMNS for _, rows in column for row in rows):
+        cap = page.caption(key, w, names)
+        assert type_.width(cap, 12) <= (page.KEY_COLUMN - 12) * layout.s, cap
+        assert type_.width(w[said], 13) <= room, w[said]
     assert LOG_HEAD > 0
 
 

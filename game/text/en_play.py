@@ -28,4 +28,30 @@ WORDS = {
     "key.thicker 1": "next exact eighth; Shift: back",
     "key.centre": "strike in the middle",
     "key.fan": "spread of the shot",
+    "help.aim": "Aiming",
+    "help.turn": "turn by 1° · Shift 0.1° · Ctrl 0.01°",
+    "help.finer": "turn by 0.1° · 0.01°",
+    "help.push": "power 0.5 · Shift 0.1 · Ctrl 0.01 m/s",
+    "help.tip": "tip point by 0.05 R · Shift 0.01 R",
+    "help.tilt": "raise the cue by 5° · Shift 1°",
+    "help.centre": "strike in the middle, cue level",
+    "help.thick": "next eighth, leftwards · Shift right",
+    "help.aids": "aiming aids: off, short, full",
+    "help.fan": "spread: ±0.05°, 2 %, 0.01 R",
+    "help.time": "Time",
+    "help.rate": "slower, faster: ×1/8 … ×8",
+    "help.event": "to the event before, after",
+    "help.undo": "undo, do again",
+    "help.mouse.aim": (
+        "Mouse · drag on the table to aim, Shift: ten times finer; "
+        "wheel: turn, as Q and W · pull the cue back for power"
+    ),
+    "help.mouse.cue": (
+        "Drag tip point, elevation and power; the wheel works there too · "
+        "click an eighth of the thickness · click a box to edit it"
+    ),
+    "help.mouse.time": (
+        "After the shot · drag the timeline, click a row "
+        "of the log · click beside ×1 for slower and faster"
+    ),
 }

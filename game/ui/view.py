@@ -149,7 +149,8 @@ class View:
         self._sheet_look = None
         if self.game.help:
             layout = self.sight.layout
-            page.draw(surface, layout, self.sight.type, self.game.language)
+            names = self.preferences.keys.names
+            page.draw(surface, layout, self.sight.type, self.game.language, names)
         elif self.game.sheet:
             page.darken(surface)
             self._draw_sheet(surface)
