@@ -37,7 +37,11 @@ SIDE = 200, 16384
 
 @dataclass(slots=True)
 class Settings:
-    """The choices; `volume` is 0 to 10, `still` is reduced motion, `fan` the spread, `keys` the changed ones."""
+    """The choices, each with its usual value.
+
+    `volume` is 0 to 10, `still` reduced motion, `fan` the spread of a shot, `both` a log in two
+    languages, `keys` the changed ones.
+    """
 
     language: str = "en"
     table: str = "medium"
@@ -49,6 +53,7 @@ class Settings:
     volume: int = 8
     muted: bool = False
     still: bool = False
+    both: bool = False
     fan: bool = False
     keys: dict[str, str] = field(default_factory=dict)
     size: tuple[int, int] = (1280, 720)
@@ -98,7 +103,7 @@ def _value(name: str, value: Any) -> object:
         good = kind is str and value in CHOICES[name]
     elif name == "volume":
         good = kind is int and 0 <= value <= LOUDEST
-    elif name in ("muted", "still", "fan"):
+    elif type(getattr(Settings(), name)) is bool:
         good = kind is bool
     elif name == "keys":
         good = kind is dict

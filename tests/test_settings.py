@@ -20,9 +20,14 @@ from game.text import LANGUAGES, words
 from game.ui import sheetview
 from game.ui.choices import CHOSEN, ROWS
 
+LETTERS = [chr(c) for c in range(ord("a"), ord("z") + 1)]
+FREE, SPARE = [c for c in LETTERS if c not in {b.key for b in DEFAULTS.values()}][:2]
+"""Keys that nothing has by default."""
+SWITCHES = [f.name for f in fields(Settings) if f.default is False]
 CHOSEN_ONES = Settings(
-    "ko", "match", "humid", "thesis", "thesis", "short", "safe", 3, True, True, {"pause": "q"},
-    (1000, 600),
+    language="ko", table="match", cloth="humid", law="thesis", engine="thesis", aids="short",
+    colours="safe", volume=3, keys={"pause": FREE}, size=(1000, 600),
+    **dict.fromkeys(SWITCHES, True),
 )  # fmt: skip
 
 
@@ -78,7 +83,7 @@ def test_somebody_whose_system_is_korean_begins_in_korean(monkeypatch):
 BAD = [
     ("language", "fr"), ("table", 7), ("cloth", None), ("law", ["rigid"]), ("engine", "Exact"),
     ("aids", ""), ("colours", {}), ("volume", 11), ("volume", -1), ("volume", True),
-    ("volume", 3.5), ("muted", 1), ("still", "yes"), ("keys", []), ("size", [1280]),
+    ("volume", 3.5), ("muted", 1), ("still", "yes"), ("fan", 0), ("keys", []), ("size", [1280]),
     ("size", [0, 720]), ("size", ["1280", "720"]), ("size", 1280), ("size", [1e9, 720]),
 ]  # fmt: skip
 
@@ -222,38 +227,38 @@ def test_a_key_that_cannot_be_had_says_why(key, why):
 
 
 def test_letters_that_type_are_free_in_play_but_not_for_keys_that_work_in_boxes():
-    assert Keys({"engine": "g"}).with_key("pause", "e").names["pause"] == "e"
+    assert Keys({"engine": FREE}).with_key("pause", "e").names["pause"] == "e"
     with pytest.raises(ValueError, match="types"):
-        Keys({"engine": "g"}).with_key("help", "e")
+        Keys({"engine": FREE}).with_key("help", "e")
 
 
 def test_keys_in_a_file_may_be_swapped_but_not_doubled():
     swapped = {"pause": "space", "stop": "p"}
     assert keys.sound(swapped) == (swapped, [])
     assert keys.sound({"pause": "r"}) == ({}, ["pause"])
-    good, bad = keys.sound({"pause": "q", "stop": "q"})
+    good, bad = keys.sound({"pause": FREE, "stop": FREE})
     assert len(good) == len(bad) == 1
-    assert keys.sound({"pause": "3", "dance": "q", "stop": 5, "retry": "u"}) == (
-        {"retry": "u"},
+    assert keys.sound({"pause": "3", "dance": FREE, "stop": 5, "retry": SPARE}) == (
+        {"retry": SPARE},
         ["pause", "dance", "stop"],
     )
 
 
 def test_bad_keys_in_the_file_are_named(path):
-    store = written(path, document(keys={"pause": "3", "retry": "u"}))
-    assert store.load().keys == {"retry": "u"}
+    store = written(path, document(keys={"pause": "3", "retry": FREE}))
+    assert store.load().keys == {"retry": FREE}
     assert store.faults == ["keys.pause"]
 
 
 def test_a_changed_key_does_what_the_old_one_did():
     app = an_app()
-    app.perform(Action("bind", "pause q"))
+    app.perform(Action("bind", f"pause {FREE}"))
     press(app, "p")
     assert not app.game.paused
-    press(app, "q")
+    press(app, FREE)
     assert app.game.paused
     app.perform(Action("unbind", "pause"))
-    press(app, "q")
+    press(app, FREE)
     assert app.game.paused
     press(app, "p")
     assert not app.game.paused
@@ -261,10 +266,10 @@ def test_a_changed_key_does_what_the_old_one_did():
 
 def test_a_key_that_has_been_taken_meanwhile_cannot_come_back():
     app = an_app()
-    app.perform(Action("bind", "pause q"))
+    app.perform(Action("bind", f"pause {FREE}"))
     app.perform(Action("bind", "stop p"))
     app.perform(Action("unbind", "pause"))
-    assert app.preferences.keys.names["pause"] == "q"
+    assert app.preferences.keys.names["pause"] == FREE
     assert app.preferences.refused == ("taken", "pause", "p")
 
 
@@ -398,8 +403,8 @@ def test_the_volume_by_dragging_ends_where_the_mouse_does(app):
 
 def test_a_key_is_given_by_keys(app):
     to(app, "retry")
-    press(app, "return", "u")
-    assert app.preferences.settings.keys == {"retry": "u"}
+    press(app, "return", FREE)
+    assert app.preferences.settings.keys == {"retry": FREE}
     press(app, "return", "escape")
     assert app.game.sheet
     press(app, "backspace")
@@ -452,7 +457,7 @@ def test_the_wheel_scrolls_the_keys_no_further_than_they_go(app, monkeypatch):
 
 
 def test_the_sheet_drawn_bit_by_bit_is_the_sheet_drawn_whole(app):
-    press(app, "down", "right", "tab", "down", "return", "q")
+    press(app, "down", "right", "tab", "down", "return", FREE)
     click(app, spot(app, "cloth", "worn"))
     bit_by_bit = pixels(app)
     app.view.expose()
@@ -515,7 +520,7 @@ def test_safe_colours_show_at_once_and_on_every_ball():
 def test_another_table_is_laid_with_its_own_cloth_and_laws():
     app = an_app()
     app.perform(Action("cloth", "new"))
-    app.perform(Action("law", "capped"))
+    app.perform(Action("law", "mathavan"))
     app.perform(Action("engine", "thesis"))
     app.perform(Action("table", "match"))
     app.frame(FRAME)
