@@ -62,6 +62,7 @@ PLAY = {
     pygame.K_t: Action("thicker", 1),
     pygame.K_c: Action("centre"),
     pygame.K_f: Action("fan"),
+    pygame.K_n: Action("both"),
     pygame.K_b: Action("arrange"),
     pygame.K_ESCAPE: Action("sheet", "menu"),
 }

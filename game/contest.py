@@ -61,14 +61,16 @@ class Contest:
         return SKILLS.get(self.fixture.seats[self.match.at].level)
 
     @property
+    def waits(self) -> bool:
+        """Is the computer at the table, and somebody else a person?"""
+        levels = [seat.level for seat in self.fixture.seats]
+        return self.level is not None and HUMAN in levels
+
+    @property
     def closing(self) -> int:
         """Cushions that the coming stroke needs because it would end the game of 4-ball, or 0."""
         turn = self.match.turn
         return self.match.rules.needs(turn) if "red1" in self.match.rules.balls else 0
-
-    def human(self, index: int) -> bool:
-        """Is the player at `index` a person?"""
-        return self.fixture.seats[index].level == HUMAN
 
     # -- strokes -------------------------------------------------------------------------------
 

@@ -12,6 +12,7 @@ from physics import Ball, World
 from . import setup
 from .aim import BOXES, fault
 from .match.positions import SAGU, SHELF, Position, opening
+from .text import words
 
 if TYPE_CHECKING:
     from .play import Game
@@ -28,8 +29,8 @@ class LineError(ValueError):
     """A line that is no set-up: `reason` is a key of the texts, `word` what is wrong."""
 
     def __init__(self, reason: str, word: str = "") -> None:
-        super().__init__(f"{reason}: {word!r:.60}" if word else reason)
         self.reason, self.word = reason, word[:24]
+        super().__init__(words("en")[f"line.{reason}"].format(word=self.word))
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,9 +46,9 @@ class Lineup:
 
     def line(self) -> str:
         """The set-up in one line, to the last bit; `read` takes it back."""
-        words = [MARK, self.table]
-        words += [f"{name.replace(' ', '_')}={x!r},{y!r}" for name, (x, y) in self.balls]
-        return " ".join(words + ["shot=" + ",".join(self.texts)] * bool(self.texts))
+        parts = [MARK, self.table]
+        parts += [f"{name.replace(' ', '_')}={x!r},{y!r}" for name, (x, y) in self.balls]
+        return " ".join(parts + ["shot=" + ",".join(self.texts)] * bool(self.texts))
 
     def world(self) -> World:
         """The table with these balls at rest."""
@@ -64,16 +65,16 @@ class Lineup:
 
 def read(line: str) -> Lineup:
     """The set-up in a line; LineError says what is wrong with it."""
-    words = line.split()
-    if len(line) > LONGEST_LINE or not words or words[0] != MARK:
-        raise LineError("mark", words[0] if words else "")
-    if len(words) < 2 or words[1] not in (*setup.TABLES, *setup.SCENES):
-        raise LineError("table", words[1] if len(words) > 1 else "")
+    parts = line.split()
+    if len(line) > LONGEST_LINE or not parts or parts[0] != MARK:
+        raise LineError("mark", parts[0] if parts else "")
+    if len(parts) < 2 or parts[1] not in (*setup.TABLES, *setup.SCENES):
+        raise LineError("table", parts[1] if len(parts) > 1 else "")
     texts: tuple[str, ...] = ()
-    if words[-1].startswith("shot="):
-        texts = _shot(words.pop())
-    balls = tuple(_ball(word) for word in words[2:])
-    found = Lineup(words[1], balls, texts)
+    if parts[-1].startswith("shot="):
+        texts = _shot(parts.pop())
+    balls = tuple(_ball(word) for word in parts[2:])
+    found = Lineup(parts[1], balls, texts)
     _check(found)
     return found
 

@@ -237,8 +237,11 @@ class Game:
         self.notice = Notice(key, error=True)
 
     def _undo(self) -> None:
+        """Take the last step back; in a match with the computer as far as a person's turn."""
         if not self.history.undo(self):
             self.notice = Notice("undo")
+        while self.contest is not None and self.contest.waits and self.history.undo(self):
+            pass
 
     def _redo(self) -> None:
         if not self.history.redo(self):

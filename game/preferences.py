@@ -15,8 +15,8 @@ from .settings import CHOICES, LOUDEST, Settings, Store
 class Preferences:
     """Settings in use, and the file they are kept in, if there is one.
 
-    Its actions: mute · still · fan · volume 0..10 · aids KEY (no key: the next one) · colours KEY ·
-    bind "ACTION KEY" · unbind ACTION.
+    Its actions: mute · still · both · fan · volume 0..10 · aids KEY (no key: the next one) ·
+    colours KEY · bind "ACTION KEY" · unbind ACTION.
     """
 
     def __init__(self, settings: Settings | None = None, store: Store | None = None) -> None:
@@ -60,6 +60,9 @@ class Preferences:
     def _still(self, _: object) -> None:
         self.settings.still = not self.settings.still
 
+    def _both(self, _: object) -> None:
+        self.settings.both = not self.settings.both
+
     def _fan(self, _: object) -> None:
         self.settings.fan = not self.settings.fan
 
@@ -94,6 +97,6 @@ class Preferences:
         self.keys, self.settings.keys = keys, keys.changed
 
     _handlers: ClassVar[dict[str, Callable[..., None]]] = {
-        "mute": _mute, "still": _still, "fan": _fan, "volume": _volume, "aids": _aids, "colours": _colours,
-        "bind": _bind, "unbind": _unbind,
+        "mute": _mute, "still": _still, "both": _both, "fan": _fan, "volume": _volume,
+        "aids": _aids, "colours": _colours, "bind": _bind, "unbind": _unbind,
     }  # fmt: skip

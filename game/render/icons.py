@@ -1,4 +1,4 @@
-"""Small pictures of the interface: a gear and a loudspeaker, drawn large once and averaged."""
+"""Small pictures of the interface, drawn large once and averaged: bars, gear, loudspeaker."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Points = list[tuple[float, float]]
 def draw(
     surface: pygame.Surface, rect: pygame.Rect, name: str, s: float, colour: Colour = TEXT_SOFT
 ) -> pygame.Rect:
-    """Draw the icon `name` ("settings" "sound" "silent") in the middle of `rect`."""
+    """Draw the icon `name` ("menu" "settings" "sound" "silent") in the middle of `rect`."""
     picture = _icon(name, max(12, round(15 * s)), colour)
     return surface.blit(picture, picture.get_rect(center=rect.center))
 
@@ -28,9 +28,19 @@ def _icon(name: str, px: int, colour: Colour) -> pygame.Surface:
     large.fill((*colour, 0))
     if name == "settings":
         _gear(large, colour)
+    elif name == "menu":
+        _bars(large, colour)
     else:
         _speaker(large, colour, silent=name == "silent")
     return pygame.transform.smoothscale(large, (px, px))
+
+
+def _bars(large: pygame.Surface, colour: Colour) -> None:
+    size = large.get_width()
+    for y in (0.18, 0.45, 0.72):
+        bar = pygame.Rect(0, round(y * size), round(0.84 * size), round(0.11 * size))
+        bar.centerx = size // 2
+        pygame.draw.rect(large, (*colour, 255), bar, border_radius=round(0.05 * size))
 
 
 def _gear(large: pygame.Surface, colour: Colour) -> None:

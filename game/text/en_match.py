@@ -220,4 +220,7 @@ WORDS = {
     "alone.strokes": "Strokes",
     "fact.inning": "end of the inning",
     "fact.cushions": "{n} cushions",
+    "fact.cushions.1": "1 cushion",
+    "events.both": "한 + EN",
+    "key.both": "events in both languages",
 }

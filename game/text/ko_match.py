@@ -203,4 +203,7 @@ WORDS = {
     "alone.strokes": "샷",
     "fact.inning": "이닝 끝",
     "fact.cushions": "{n}쿠션",
+    "fact.cushions.1": "1쿠션",
+    "events.both": "한 + EN",
+    "key.both": "사건 기록을 두 언어로",
 }

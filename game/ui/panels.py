@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable
+from dataclasses import replace
 from math import ceil
 
 import pygame
@@ -14,6 +15,7 @@ from game.playhead import moment
 from game.render import cards
 from game.render.layout import Layout
 from game.render.theme import BACKGROUND, TEXT, TEXT_SOFT
+from game.text import LANGUAGES, words
 
 from . import aimpanel, grasp, hand, plates, strip
 from .looks import ball_words, look
@@ -89,7 +91,7 @@ def _result_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
 
 def _log_key(sight: Sight) -> Hashable:
     game = sight.game
-    return game.shots, game.began, len(game.world.log), game.head.at
+    return game.shots, game.began, len(game.world.log), game.head.at, sight.settings.both
 
 
 def log_rows(game: Game, w: dict[str, str], colours: str = "usual") -> list[cards.LogRow]:
@@ -137,14 +139,27 @@ def _log_place(sight: Sight, rect: pygame.Rect) -> tuple[int, int]:
 
 
 def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
-    rows = log_rows(sight.game, sight.words, sight.settings.colours)
+    rows, title = log_rows(sight.game, sight.words, sight.settings.colours), sight.words["events"]
+    if sight.settings.both:
+        other = words(next(key for key in LANGUAGES if key != sight.game.language))
+        rows = _with_second(rows, log_rows(sight.game, other))
+        title += " · " + other["events"]
     current, top = _log_place(sight, rect)
-    title = sight.words["events"]
-    return cards.log(surface, rect, sight.type, title, rows, current, first=top)
+    cards.log(surface, rect, sight.type, title, rows, current, first=top)
+    at = (rect.right - 12 * sight.layout.s, rect.y + 23 * sight.layout.s)
+    sight.type.draw(surface, sight.words["events.both"], at, 12, TEXT_SOFT, "right")
+    return rect
+
+
+def _with_second(rows: list[cards.LogRow], others: list[cards.LogRow]) -> list[cards.LogRow]:
+    """The rows with what they say in another language."""
+    return [replace(row, second=two.first) for row, two in zip(rows, others, strict=True)]
 
 
 def _log_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
-    """Show the moment of a row."""
+    """Show the moment of a row; the head of the list adds the other language."""
+    if at[1] < cards.log_row(rect, sight.layout.s, 0).y:
+        return Action("both")
     times, (_, top) = _log_times(sight.game), _log_place(sight, rect)
     for place, time in enumerate(times[top : top + cards.log_rows(rect, sight.layout.s)]):
         if cards.log_row(rect, sight.layout.s, place).collidepoint(at):

@@ -211,8 +211,8 @@ def badge(game: Game, w: dict[str, str]) -> tuple[str, str]:
     return f"{w['engine.' + game.engine]} · {w['law.' + game.law]}", table
 
 
-TOOLS = ("mute", "settings")
-"""Actions of the small buttons at the top right of the card."""
+TOOLS = {"menu": Action("sheet", "menu"), "mute": Action("mute"), "settings": Action("settings")}
+"""The small buttons at the top right of the card, and what they do."""
 
 
 def _tools(rect: pygame.Rect, sight: Sight) -> dict[str, pygame.Rect]:
@@ -241,7 +241,7 @@ def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
 def _engine_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
     for name, box in _tools(rect, sight).items():
         if box.collidepoint(at):
-            return Action(name)
+            return TOOLS[name]
     if at[0] > rect.right - 70 * sight.layout.s and at[1] > rect.centery:
         return Action("language")
     return Action("engine") if at[1] < rect.centery else Action("law")

@@ -145,7 +145,8 @@ def _facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
     passes = w["fact.passes" if len(match.players) > 1 else "fact.inning"]
     told = [passes] if verdict.passes else [w["fact.same"]]
     if verdict.facts.cushions and not verdict.foul:
-        told.append(w["fact.cushions"].format(n=verdict.facts.cushions))
+        n = verdict.facts.cushions
+        told.append(w["fact.cushions.1" if n == 1 else "fact.cushions"].format(n=n))
     return told
 
 
