@@ -75,7 +75,6 @@ def arrange(game: Game) -> None:
         game.refuse("moving")
     else:
         game.arranging = not game.arranging
-        game.held_ball = game.cue
         game.shown_shot = False
         game.aim.leave()
 
