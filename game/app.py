@@ -116,7 +116,8 @@ class App:
             for event in line.events:
                 self.handle(event)
         self.update(end - self.game.tick)
-        self.perform(self.thinker.think(), human=False)
+        if self.replay is None:
+            self.perform(self.thinker.think(), human=False)
         if not (self.options.virtual or self.preferences.audio.silent):
             self._sound()
         changed, thinking = self.view.think(seconds(ticks))
@@ -197,7 +198,7 @@ class App:
         end = min(end, replay.end)
         for tick, action in replay.due(end):
             self.update(tick - self.game.tick)
-            self.perform(action)
+            self.perform(action, human=False)
         self.update(end - self.game.tick)
         self._tell(replay)
         self.game.over = self.game.over or (replay.done and self.options.virtual)

@@ -289,6 +289,7 @@ class Game:
     def _changed(self) -> None:
         """Somebody has put or pushed balls: let the world plan, so that its log knows of it."""
         self.stamp += 1
+        self.head.part = 0  # how much of a tick is left over tells how long the last frame was
         self.world.step(0.0)
 
     def _rest(self) -> None:

@@ -164,9 +164,11 @@ def _replay(game: Game, ticks: int) -> None:
     head = game.head
     assert head.at is not None, "only what has been put back is replayed"
     head.at += ticks
-    if head.at >= end(game):
+    beyond = head.at - end(game)
+    if beyond >= 0:
         head.live()
         game.paused = False
+        game.run(beyond)  # what is left of the frame is not lost: frames differ in length
     game.version += 1
     game.read()
 

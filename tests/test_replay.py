@@ -11,9 +11,13 @@ from game import __main__ as entry
 from game.__main__ import new_game
 from game.actions import Action
 from game.app import App
+from game.fixture import FOUR_BALL, SEATS, Fixture, Seat
+from game.keys import DEFAULTS
 from game.options import Options
 from game.record import Recorder, RecordError, Witness, digest, read
 from game.replay import Replay, headless
+from game.thinker import Thinker
+from game.ui.view import View
 
 OPTIONS = replace(Options(), size=(640, 360), frames=10**6)
 SHOTS = """
@@ -46,6 +50,14 @@ SHOTS = """
 16.7 key ctrl+return
 17.2 quit
 """
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _undrawn():
+    """Drawing changes nothing, and takes most of the time."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(View, "draw", lambda view, surface: [])
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -126,8 +138,8 @@ def test_the_digest_tells_the_last_bit_but_not_the_sign_of_zero():
 
 
 ANYTHING = [
-    "return", "space", "p", ".", "e", "l", "r", "f1", "f3", "end", "ctrl+return", "left", "right",
-    "down", "tab", "escape", "up", "a", "m",
+    *(b.key for b in DEFAULTS.values()), "return", "ctrl+return", "shift+period", "shift+z", "tab",
+    "escape", "ctrl+q", "shift+w", "return", "return",
 ]  # fmt: skip
 
 
@@ -136,7 +148,6 @@ def test_whatever_is_pressed_can_be_replayed(tmp_path, seed):
     rng, path = random.Random(seed), tmp_path / "game.rec"
     game = new_game(OPTIONS)
     app = App(game, OPTIONS, journal=Recorder(str(path), OPTIONS, game))
-    app.view.draw = lambda surface: []  # drawing changes nothing, and takes most of the time
     for _ in range(250):
         if rng.random() < 0.3:
             write(app, rng.choice("0123456789.-"))
@@ -175,6 +186,46 @@ def test_every_way_a_shot_can_end_is_told_once():
     witness.passed()
     witness.passed()
     assert len(told) == len(set(told)) == 4
+
+
+def test_the_present_is_caught_up_with_at_the_same_tick_at_every_frame_rate():
+    """A shot looked at once more while it runs goes on where it was, whatever frames are left."""
+    ends = set()
+    steps = ("shoot", 20), ("faster -1", 20), ("home", 0), ("pause", 60), ("stop", 0)
+    for frame in (FRAME, 2 * FRAME, 7 * FRAME // 3):
+        game = new_game(OPTIONS)
+        for said, frames in steps:
+            name, *value = said.split()
+            game.perform(Action(name, *map(int, value)))
+            left = frames * FRAME
+            while left:
+                game.advance(min(frame, left))
+                left -= min(frame, left)
+        ends.add(digest(game))
+    assert len(ends) == 1
+
+
+def test_a_match_against_the_computer_is_replayed_without_its_thinking(tmp_path, monkeypatch):
+    path, game = tmp_path / "game.rec", new_game(OPTIONS)
+    app = App(game, OPTIONS, journal=Recorder(str(path), OPTIONS, game))
+    seats = (Seat(), Seat(level=SEATS[1]))
+    app.perform(Action("match", Fixture(FOUR_BALL, seats).line()))
+    for _ in range(6):
+        press(app, "return")
+        app.frame(FRAME)
+        press(app, "end")
+    app.close()
+    played = read(str(path), OPTIONS)
+    assert "play" in [action.name for _, action in played.actions]
+    monkeypatch.setattr(Thinker, "think", None)
+    replay = headless(played, new_game(played.setup))
+    assert replay.state == "same", replay.verdict()
+    assert len(played.shots) > 2
+    shown = new_game(played.setup)
+    app = App(shown, played.setup, journal=Replay(played, shown))
+    while not app.replay.done:
+        app.frame(5 * FRAME)
+    assert app.replay.state == "same", app.replay.verdict()
 
 
 # -- not the same --------------------------------------------------------------------------------
