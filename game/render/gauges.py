@@ -10,9 +10,9 @@ from math import cos, pi, sin
 import numpy as np
 import pygame
 
-from . import light, lines, shapes, theme
 from game.tip import LIMIT
 
+from . import light, lines, shapes, theme
 from .cards import card
 from .text import Type
 from .theme import Colour, mix

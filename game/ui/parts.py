@@ -68,7 +68,8 @@ class Part:
 
     key: what its picture depends on; draw: paints it and returns what it touched; touch: what a
     press of the mouse there means; wheel: what so many notches up mean; `drags` parts are touched
-    again while the mouse moves; `mode`: shown in this column only; `spill`: px at s = 1 by which the picture may stand out.
+    again while the mouse moves; `mode`: shown in this column only; `spill`: px at s = 1 by which
+    the picture may stand out.
     """
 
     name: str
