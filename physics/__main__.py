@@ -15,6 +15,7 @@ from .trace import trace
 from .world import World
 
 LAWS = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM}
+CUSHIONS = ("rigid", "mathavan")  # the game's sets of laws: with balls that rub
 WORDS = {"exact": "exact engine", "literal": "the thesis's program", "thesis": "the thesis's step"}
 
 
@@ -66,10 +67,10 @@ def parser() -> argparse.ArgumentParser:
     sub = commands.add_subparsers(dest="command", required=True, metavar="scene or sweep")
     one = sub.add_parser("scene", help="play a scene and print what happens")
     many = sub.add_parser("sweep", help="play many shots in a scene, each from its beginning")
-    engines = ["exact", *SCHEMES]
+    engines, sets = ["exact", *SCHEMES], [*LAWS, *CUSHIONS]
     for each in (one, many):
         each.add_argument("name", metavar="NAME", help=", ".join(scenes.SCENES))
-        each.add_argument("--law", choices=LAWS, help="cloth and laws of this table")
+        each.add_argument("--law", choices=sets, help="cloth and laws of a table; or a cushion")
         each.add_argument("--engine", choices=engines, help="what moves the balls")
         each.add_argument("--dt", type=float, default=1 / 180, help="s, of fixed steps (1/180)")
     one.add_argument("--against", choices=engines, help="a second engine, dashed in the picture")
@@ -82,8 +83,10 @@ def parser() -> argparse.ArgumentParser:
 
 
 def set_laws(world: World, name: str | None) -> None:
-    """Cloth and laws of a table."""
-    if name:
+    """Cloth and laws of a table; or a cushion's law, and balls that rub."""
+    if name in CUSHIONS:
+        world.ball_law, world.cushion_law = "rough", name
+    elif name:
         table = LAWS[name]
         world.cloth, world.ball_law = table.cloth, table.ball_law
         world.cushion_law = table.cushion_law

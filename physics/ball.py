@@ -120,11 +120,30 @@ class Ball:
 
     @property
     def phase(self) -> str:
-        """ "sliding", "rolling" or "resting"; a ball that only spins on the spot rests."""
+        """ "sliding", "rolling" or "resting"; a ball that only spins on the spot rests.
+
+        Assigned "rolling", the ball turns as its velocity wants; "resting", it stops, and keeps its
+        spin about the vertical; "sliding" is refused of a ball whose velocity and spin agree.
+        """
         body = self._body
         if body.phase == DISTURBED:
             return NAMES[motion(body.velocity, body.roll, self._clock.cloth)[0]]
         return NAMES[body.phase]
+
+    @phase.setter
+    def phase(self, value: str) -> None:
+        if value == "sliding":
+            if self.phase != value:
+                raise ValueError(f"ball {self.name!r}: phase: it has no slip, so it cannot slide")
+        elif value == "rolling":
+            body = self.disturb()
+            body.roll = body.velocity
+        elif value == "resting":
+            body = self.disturb()
+            body.velocity = body.roll = 0j
+        else:
+            known = ", ".join(NAMES.values())
+            raise ValueError(f"ball {self.name!r}: phase must be one of {known}, not {value!r}")
 
     def disturb(self) -> Body:
         """The record at this very moment, to be changed: the engine will plan it anew."""

@@ -50,7 +50,8 @@ def simulate_many(
     shots: `Shot`s, or an array (shots, 5) of speed, angle, follow, masse, side. executor: any of
     concurrent.futures' kind shares the work: threads (the compiled kernel lets them run at once),
     processes, a cluster's. compiled: True asks for numba (ImportError without it), False for the
-    interpreter; None takes numba where it is installed and worth it. The digits are the same.
+    interpreter; None takes numba where it is installed and worth it. The digits are the same,
+    and those of `simulate` if all balls lie still before the shot.
     progress is called with the number of shots done since it was last called.
     ValueError names a bad shot; EventBudgetError as in a run.
     """

@@ -23,6 +23,7 @@ from physics import (
     trace,
 )
 
+R = 0.03275
 KEPT = [
     (Cloth, {"slide": 0.25}), (EventDriven, {"vmin": 0.5}), (TimeStepping, {"dt": 0.125}),
     (CueStroke, {"speed": 3.0, "side": 0.25}), (laws.RigidCushion, {"e": 0.75, "nose": 1.25}),
@@ -140,6 +141,29 @@ def test_shots_of_the_wrong_shape_are_not_taken_for_others(shots):
 def test_a_ball_keeps_its_name():
     with pytest.raises(AttributeError):
         Ball("white", at=(0.0, 0.0)).name = "red"
+
+
+def test_a_phase_can_be_assigned_in_mid_flight():
+    world = scenes.carom()
+    white = world.ball("white")
+    world.strike(white, Shot(3.0, 37.0, side=1.5))
+    world.run(until=0.1)
+    white.phase = "sliding"
+    assert world.next_event < 1.0
+    white.phase = "rolling"
+    (vx, vy), (wx, wy, wz) = white.velocity, white.spin
+    assert (wy * R, -wx * R) == pytest.approx((vx, vy), rel=1e-15)
+    with pytest.raises(ValueError, match="'white': phase"):
+        white.phase = "sliding"
+    with pytest.raises(ValueError, match="'white': phase must be one of resting, rolling, sliding"):
+        white.phase = "flying"
+    world.step(0.01)
+    assert white.phase == "rolling"
+    white.phase = "resting"
+    world.step(0.01)
+    assert (white.phase, white.velocity) == ("resting", (0.0, 0.0))
+    assert white.spin[:2] == (0.0, 0.0)
+    assert white.spin[2] == pytest.approx(wz - 10.0 * 0.02, abs=1e-9)
 
 
 def test_a_world_that_has_not_run_yet_has_a_trace_of_one_moment():

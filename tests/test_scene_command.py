@@ -21,10 +21,12 @@ def test_a_scene_is_told_event_by_event(capsys):
 
 
 def test_law_and_engine_can_be_chosen(capsys):
-    for options in (["--law", "medium"], ["--engine", "thesis", "--dt", "0.02"], []):
+    for options in (
+        ["--law", "medium"], ["--law", "mathavan"], ["--engine", "thesis", "--dt", "0.02"], [],
+    ):  # fmt: skip
         main(["scene", "thesis_2", "--until", "2", *options])
     told = capsys.readouterr().out.split("thesis_2: ")
-    assert len(set(told)) == 4
+    assert len(set(told)) == 5
 
 
 def test_the_paths_are_written_at_the_wanted_rate(tmp_path, capsys):

@@ -242,6 +242,18 @@ def test_the_thesis_cushion_does_what_the_thesis_says():  # K7
     assert [r * w for w in state.spin] == pytest.approx([0, -0.9, side], abs=1e-12)
 
 
+def test_the_thesis_balls_swap_their_turning_and_not_their_surface_speeds():
+    """(ω₁·t)' = e ω₂·t in rad/s, t across the line of centres: with unlike radii it shows."""
+    world = World(ball_law=laws.ThesisBall(0.9))
+    one = world.add(Ball("one", (0.0, 0.0), (1.0, 0.2), (3.0, 50.0, 7.0), radius=0.02, mass=0.1))
+    two = world.add(Ball("two", (0.06, 0.0), (-0.5, 0.1), (-4.0, 20.0, 9.0), radius=0.04))
+    world.run(until=1e-12)
+    assert one.velocity == pytest.approx((0.9 * -0.5, 0.2), abs=1e-10)
+    assert two.velocity == pytest.approx((0.9 * 1.0, 0.1), abs=1e-10)
+    assert one.spin == pytest.approx((3.0, 0.9 * 20.0, 7.0), abs=1e-8)
+    assert two.spin == pytest.approx((-4.0, 0.9 * 50.0, 9.0), abs=1e-8)
+
+
 # -- what it refuses ---------------------------------------------------------------------------
 
 
