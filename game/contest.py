@@ -90,7 +90,7 @@ class Contest:
         """All balls lie still: judge the stroke, and let the next player have the boxes."""
         if not self.pending:
             return
-        self.pending = False
+        self.pending, game.notice = False, None
         self.verdict = self.match.judged(game.world.log.contacts())
         self.match = self.match.after(self.verdict)
         self.seat(game)
@@ -99,7 +99,7 @@ class Contest:
         """Give cue ball and boxes to the player at the table, aimed at a ball to hit first."""
         game.cue = self.match.cue
         self.share = None
-        if game.aim.box is not None:
+        if game.aim.box is not None or self.level is not None:
             return
         speed_and_spins = self._entries.get(self.match.at, [*START])[: len(START)]
         game.aim.texts = [*speed_and_spins, self._angle(game)]

@@ -294,8 +294,8 @@ def test_a_handicap_reached_wins_and_the_window_says_so():
     app = an_app(game="four-ball", players="Ann,Bo", handicap="1", finish="none")
     enter(app, *opening_numbers())
     press(app, "return", "end")
-    assert told(app) == ("+1", "Ann wins", "Both reds, 2 cushions · 1 innings · avg 1.00")
-    assert plates._line(app.view.sight, app.game.contest, 0)[0] == "wins after 1 innings"
+    assert told(app) == ("+1", "Ann wins", "1 inning · avg 1.00 · Both reds, 2 cushions")
+    assert plates._line(app.view.sight, app.game.contest, 0)[0] == "wins after 1 inning"
     press(app, "ctrl+return")
     assert hint(app.game, words("en")) == ("the match is over · F10 new game", True)
     click(app, app.view.sight.layout.shoot.center)

@@ -87,7 +87,7 @@ WORDS = {
     "fact.passes": "turn passes",
     "fact.same": "same player",
     "fact.bank": "{n} before the first ball",
-    "fact.innings": "{n} innings · avg {average}",
+    "fact.innings": "{n} innings",
     "aim.expected": "expected",
     "again": "New game",
     "skip": "To the end",
@@ -223,4 +223,6 @@ WORDS = {
     "fact.cushions.1": "1 cushion",
     "events.both": "한 + EN",
     "key.both": "events in both languages",
+    "fact.innings.1": "1 inning",
+    "score.won.1": "wins after 1 inning",
 }

@@ -87,7 +87,7 @@ WORDS = {
     "fact.passes": "공격권 넘어감",
     "fact.same": "계속 공격",
     "fact.bank": "첫 공 전 {n}쿠션",
-    "fact.innings": "{n}이닝 · 에버리지 {average}",
+    "fact.innings": "{n}이닝",
     "aim.expected": "예상",
     "again": "새 게임",
     "skip": "끝으로",
@@ -206,4 +206,6 @@ WORDS = {
     "fact.cushions.1": "1쿠션",
     "events.both": "한 + EN",
     "key.both": "사건 기록을 두 언어로",
+    "fact.innings.1": "1이닝",
+    "score.won.1": "1이닝 만에 승리",
 }

@@ -68,7 +68,7 @@ def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | Non
     w, match = sight.words, contest.match
     sheet = match.sheets[index]
     if match.winner == index:
-        return w["score.won"].format(n=sheet.innings), GOOD
+        return _counted("score.won", sheet.innings, w), GOOD
     parts = [
         w["score.average"].format(n=number(sheet.average)),
         w["score.high"].format(n=sheet.best),
@@ -123,9 +123,10 @@ def result(contest: Contest, verdict: Verdict, sight: Sight) -> Result:
     if verdict.won:
         name = player_name(contest.fixture, index, w)
         sheet = match.sheets[index]
-        told = w["fact.innings"].format(n=sheet.innings, average=number(sheet.average))
+        told = _counted("fact.innings", sheet.innings, w)
+        told += " · " + w["score.average"].format(n=number(sheet.average))
         badge = f"+{verdict.points}" if verdict.points else "✓"
-        return badge, w["score.wins"].format(name=name), f"{first} · {told}", GOOD
+        return badge, w["score.wins"].format(name=name), f"{told} · {first}", GOOD
     second = " · ".join(_facts(contest, verdict, w))
     if verdict.foul:
         return number(verdict.points, 0), first, second, ERROR
@@ -145,12 +146,15 @@ def _facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
     passes = w["fact.passes" if len(match.players) > 1 else "fact.inning"]
     told = [passes] if verdict.passes else [w["fact.same"]]
     if verdict.facts.cushions and not verdict.foul:
-        n = verdict.facts.cushions
-        told.append(w["fact.cushions.1" if n == 1 else "fact.cushions"].format(n=n))
+        told.append(_counted("fact.cushions", verdict.facts.cushions, w))
     return told
+
+
+def _counted(key: str, n: int, w: dict[str, str]) -> str:
+    """Say a number of something, with the singular where a language has one."""
+    return (w.get(f"{key}.{n}") or w[key]).format(n=n)
 
 
 def reason(verdict: Verdict, w: dict[str, str]) -> str:
     """Say why a stroke counted what it did."""
-    key, n = f"reason.{verdict.reason}", verdict.facts.cushions
-    return (w.get(f"{key}.{n}") or w[key]).format(n=n)
+    return _counted(f"reason.{verdict.reason}", verdict.facts.cushions, w)
