@@ -10,9 +10,10 @@ import pygame
 
 from .actions import Action, of_key, of_text
 from .clock import RealClock, VirtualClock, seconds
-from .hearing import Ear
+from .hearing import SILENCE, Ear
 from .options import Options
 from .play import Game, Notice
+from .playhead import moment
 from .preferences import Preferences
 from .record import Recorder
 from .repeat import Repeat
@@ -302,10 +303,13 @@ class App:
         """Let what has happened since the last frame be heard."""
         game, audio = self.game, self.preferences.audio
         struck = None
-        if game.shots != self._shots and game.aim.shot:
+        if game.shots > self._shots and game.aim.shot:
             struck = game.world.ball(game.shooter), game.aim.shot.speed
         self._shots = game.shots
-        heard = self.ear.listen(game.world, (game.shots, game.began), struck)
+        past = None if game.head.at is None else moment(game)
+        heard = self.ear.listen(game.world, (game.shots, game.began), struck, past)
+        if past is not None and not game.head.playing:
+            heard = SILENCE  # who drags the timeline wants to look
         audio.play(heard, pygame.time.get_ticks())
 
     # -- render --------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from math import hypot
 from typing import NamedTuple
 
@@ -45,7 +46,7 @@ SILENCE = Heard((), 0.0)
 
 
 class Ear:
-    """Follows a world and tells what is new."""
+    """Follows the moment on show, of a shot played or looked at again; tells what is new."""
 
     def __init__(self, half: float) -> None:
         self.half = half
@@ -53,23 +54,32 @@ class Ear:
         self._shot: object = None
         self._time, self._seen = 0.0, 0
 
-    def listen(self, world: World, shot: object, struck: tuple[Ball, float] | None = None) -> Heard:
+    def listen(
+        self,
+        world: World,
+        shot: object,
+        struck: tuple[Ball, float] | None = None,
+        now: float | None = None,
+    ) -> Heard:
         """Return what is to be heard since the last time.
 
         `shot` is equal while the same shot runs; `struck`: the ball that the cue has met since the
-        last time, and the speed it got, m/s. A world that went back in time, and a leap of more
-        than JUMP seconds, are silent.
+        last time, and the speed it got, m/s; `now`: the world time on show, s, if that is in the
+        past. A way back, and a leap of more than JUMP seconds, are silent.
         """
-        passed, count = world.time - self._time, len(world.log)
-        first = 0 if shot != self._shot else min(self._seen, count)
-        self._shot, self._time, self._seen = shot, world.time, count
+        time, log = world.time if now is None else now, world.log
+        passed, first = time - self._time, 0 if shot != self._shot else self._seen
+        if passed == 0.0 and struck is None:
+            return SILENCE
+        count = len(log) if now is None else bisect_right(log, time, key=lambda e: e.time)
+        self._shot, self._time, self._seen = shot, time, count
         if not 0.0 <= passed <= JUMP:
             return SILENCE
-        found = [_of_event(e, self.half) for e in world.log[first : min(count, first + LOOKED_AT)]]
+        found = [_of_event(e, self.half) for e in log[first : min(count, first + LOOKED_AT)]]
         if struck is not None:
             found.append(_stroke(*struck, self.half))
         heard = sorted((s for s in found if s and s.gain >= FAINTEST), key=lambda s: -s.gain)
-        return Heard(tuple(heard[:LOUDEST]), _rolling(world) if passed else 0.0)
+        return Heard(tuple(heard[:LOUDEST]), _rolling(world, now))
 
 
 def _stroke(ball: Ball, speed: float, half: float) -> Sound:
@@ -89,6 +99,7 @@ def _sound(kind: str, speed: float, impulse: float, x: float, half: float) -> So
     return Sound(kind, level(abs(speed)), gain, max(-1.0, min(1.0, x / half)))
 
 
-def _rolling(world: World) -> float:
-    speed = sum(hypot(*ball.velocity) for ball in world.balls)
+def _rolling(world: World, now: float | None) -> float:
+    balls = world.balls if now is None else world.log.at(now).values()
+    speed = sum(hypot(*ball.velocity) for ball in balls)
     return ROLLING * min(1.0, speed / ROLLS_FULL)

@@ -10,11 +10,13 @@ from players import FRAME, press, run_to_rest
 
 from game import audio, hearing, synth
 from game.__main__ import new_game
+from game.actions import Action
 from game.app import App
 from game.audio import Audio, sides
 from game.hearing import SILENCE, Ear, Heard, Sound
 from game.options import Options
 from game.setup import scene_world, table_world
+from game.ui.view import View
 from physics import Shot
 
 LOUD = Sound("click", 7, 1.0, 0.0)
@@ -231,7 +233,8 @@ def test_half_the_volume_is_a_quarter_of_the_pressure(monkeypatch):
 
 
 @pytest.fixture
-def app():
+def app(monkeypatch):
+    monkeypatch.setattr(View, "draw", lambda view, surface: [])
     chosen = replace(Options(), size=(640, 360))
     return App(new_game(chosen), chosen)
 
@@ -276,6 +279,29 @@ def test_muting_closes_the_mixer_at_once(app):
     assert pygame.mixer.get_init()
     press(app, "m")
     assert pygame.mixer.get_init() is None
+
+
+def test_a_shot_looked_at_again_sounds_as_it_did_but_not_while_it_is_dragged(app, played):
+    press(app, "return")
+    run_to_rest(app)
+    app.frame(FRAME)
+    played.clear()
+    heard = []
+    app.preferences.audio.play = lambda sounds, now: heard.extend(s.kind for s in sounds.sounds)
+    press(app, "home", "p")
+    while app.game.head.at is not None:
+        app.frame(FRAME)
+    hits = [e.kind for e in app.game.world.log if e.kind in ("ball", "cushion")]
+    assert heard.count("click") == hits.count("ball")
+    assert heard.count("thud") == hits.count("cushion")
+    assert "stroke" not in heard
+    heard.clear()
+    press(app, "home")
+    app.perform(Action("scrub", 2 * FRAME))
+    for _ in range(60):
+        app.perform(Action("frame"))
+        app.frame(FRAME)
+    assert heard == []
 
 
 def test_going_to_the_end_at_once_is_silent_but_for_the_stroke(app, played):
