@@ -2,7 +2,7 @@
 
 import json
 from cmath import phase
-from math import degrees, sqrt
+from math import cos, degrees, pi, sin, sqrt
 from pathlib import Path
 
 import pytest
@@ -24,7 +24,7 @@ RACK = [0.5 * sqrt(3.0) * row + 1j * (k - 0.5 * row) for row in range(5) for k i
 SPRINGS = laws.HertzCluster(e=1.0)
 
 
-def hit(spots, e=1.0, law=None, speed=1.0, radius=R, order=None, ball_law=None):
+def hit(spots, e=1.0, law=None, speed=1.0, radius=R, order=None, ball_law=None, aim=0.0):
     """{number of the ball: velocity} after ball 0, at the first spot, has hit the others; spots in
     diameters, all touching; order: in which the balls are added."""
     ice = Cloth(slide=0.0, roll=0.0)
@@ -32,7 +32,7 @@ def hit(spots, e=1.0, law=None, speed=1.0, radius=R, order=None, ball_law=None):
     world.cluster_law = law
     for k in order or range(len(spots)):
         p = 2.0 * radius * spots[k]
-        velocity = (speed, 0.0) if k == 0 else (0.0, 0.0)
+        velocity = (speed * cos(aim), speed * sin(aim)) if k == 0 else (0.0, 0.0)
         world.add(Ball(f"{k}", at=(p.real, p.imag), velocity=velocity, radius=radius))
     world.run(until=1e-9)
     return {k: complex(*world.ball(f"{k}").velocity) / speed for k in range(len(spots))}
@@ -57,6 +57,25 @@ def test_m1_a_ball_into_two_that_touch_recoils_and_sends_them_off_at_thirty_degr
     assert abs(v[1]) == pytest.approx(expected["each"][k], abs=1e-4)
     assert degrees(phase(v[1])) == pytest.approx(expected["angle"], abs=1e-6)
     assert abs(v[1] - v[2].conjugate()) < 1e-12
+
+
+def test_the_fastest_contact_is_first_unless_they_tie_and_springs_know_no_such_jump():
+    def blow(law, aim):
+        v = hit([0j, PAIR[1], PAIR[2]], law=law, aim=aim)
+        return [v[n] for n in range(3)]
+
+    tied = blow(None, 0.0)
+    assert max(map(abs, (a - b for a, b in zip(blow(None, 1e-10), tied, strict=True)))) < 1e-9
+    # ball 1 as if it were alone, then ball 2 with what the hitting one has left
+    first = cos(pi / 6) * PAIR[1]
+    left = 1.0 - first
+    second = (left * PAIR[2].conjugate()).real * PAIR[2]
+    expected = [left - second, first, second]
+    for a, b in zip(blow(None, 1e-8), expected, strict=True):
+        assert abs(a - b) < 1e-7
+    for aim in (1e-8, 1e-4):
+        for a, b in zip(blow(SPRINGS, aim), blow(SPRINGS, 0.0), strict=True):
+            assert abs(a - b) < aim + 1e-6
 
 
 # M2: the cradle
