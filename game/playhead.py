@@ -6,6 +6,7 @@ the picture shows what the log knows of that moment, and the world waits.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import ceil
@@ -34,6 +35,8 @@ class Playhead:
     playing: bool = False
     part: int = 0
     """Eighths of a tick that have not passed yet: no frame rate loses any."""
+    told: tuple[object, list[float]] = (None, [])
+    """When the events of the log were, and for which log that has been worked out."""
 
     def passed(self, ticks: int) -> int:
         """The ticks that pass in the shot while `ticks` pass on the clock."""
@@ -171,6 +174,36 @@ def _replay(game: Game, ticks: int) -> None:
         game.run(beyond)  # what is left of the frame is not lost: frames differ in length
     game.version += 1
     game.read()
+
+
+def times(game: Game) -> list[float]:
+    """World times of the shot's events, those included at which a ball begins to roll."""
+    key = game.stamp, game.began, len(game.world.log)
+    if game.head.told[0] != key:
+        game.head.told = key, [event.time for event in game.world.log]
+    return game.head.told[1]
+
+
+def passed(game: Game) -> int:
+    """How many events have passed at the moment on show."""
+    if game.head.at is None:
+        return len(game.world.log)
+    return bisect_right(times(game), moment(game))
+
+
+def runs(game: Game) -> bool:
+    """Do the balls run before the player's eyes, for the first time or once more?"""
+    if game.head.at is not None:
+        return game.head.playing
+    return game.shown_shot and game.moving
+
+
+def known(game: Game) -> float:
+    """World time up to which traces stand: while the balls run, the last event's."""
+    if not runs(game):
+        return moment(game)
+    count = passed(game)
+    return times(game)[count - 1] if count else game.began
 
 
 def moment(game: Game) -> float:

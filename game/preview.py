@@ -5,8 +5,9 @@ from __future__ import annotations
 from cmath import phase
 from dataclasses import dataclass
 from math import ceil, degrees, sqrt
+from typing import NamedTuple
 
-from physics import Event, EventBudgetError, Leg, Log, Shot, World, simulate
+from physics import EventBudgetError, Leg, Log, Shot, State, World, simulate
 
 Place = tuple[float, float]
 
@@ -30,14 +31,25 @@ class Lane:
     legs: tuple[tuple[float, float, float], ...]
 
 
+class Mark(NamedTuple):
+    """A hit, or a ball that comes to "rest": as `physics.Event`, but ten times as quick to make."""
+
+    time: float
+    kind: str
+    balls: tuple[str, ...]
+    wall: str | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class Story:
-    """What happened since a shot; times count from it, seconds, and places are in metres."""
+    """What happened since a shot; times count from it, seconds."""
 
-    paths: dict[str, tuple[Place, ...]]
     lanes: tuple[Lane, ...]
-    events: tuple[Event, ...]
+    events: tuple[Mark, ...]
     duration: float
+
+
+Legs = dict[str, list[Leg]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +57,7 @@ class Contact:
     """The first ball the cue ball meets: where both are then, and where they leave to.
 
     overlap is the thickness, 0 to 1, negative when the cue ball passes on the left of the other;
-    cut is the angle between its way and the line of centres, degrees; index counts in the events.
+    cut is the angle between its way and the line of centres, degrees.
     """
 
     ball: str
@@ -54,7 +66,6 @@ class Contact:
     leaves: tuple[Place, Place]
     overlap: float
     cut: float
-    index: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,19 +91,19 @@ def preview(world: World, cue: str, shot: Shot) -> Preview | None:
         after = simulate(world, cue, shot)
     except EventBudgetError:
         return None
-    since = world.time
-    told = story(after.log, since, after.time)
-    radii = {ball.name: ball.radius for ball in world.balls}
-    contact = _first_contact(told.events, cue, radii)
-    log = after.log
-    met = told.events[contact.index].time if contact else None
-    decision = _decision(told, cue, met)
-    bounces = _bounces(told, cue, decision, world)
+    since, log = world.time, after.log
+    legs = _legs(log)
+    told = _story(log, legs, since, after.time)
+    first = next((e for e in told.events if e.kind == "ball" and cue in e.balls), None)
+    decision = _decision(told, cue, first.time if first else None)
+    bounces = _bounces(told, legs[cue], cue, since, decision, world)
     end = since + decision
-    if contact is None or met is None:
-        return Preview(told, None, path(log, cue, since, end), (), (), bounces)
-    hit = since + met
-    parts = path(log, cue, since, hit), path(log, cue, hit, end), path(log, contact.ball, hit, end)
+    if first is None:
+        return Preview(told, None, _way(legs[cue], since, end), (), (), bounces)
+    contact = _contact(first, legs, cue, since, {ball.name: ball.radius for ball in world.balls})
+    hit = since + first.time
+    own, other = legs[cue], legs[contact.ball]
+    parts = _way(own, since, hit), _way(own, hit, end), _way(other, hit, end)
     return Preview(told, contact, *parts, bounces)
 
 
@@ -111,32 +122,49 @@ def _decision(told: Story, cue: str, met: float | None) -> float:
 
 
 def _bounces(
-    told: Story, cue: str, until: float, world: World
+    told: Story, legs: list[Leg], cue: str, since: float, until: float, world: World
 ) -> tuple[tuple[Place, Place], ...]:
     normals = {wall.name: wall.normal for wall in world.walls}
     found = []
     for event in told.events:
         if event.kind == "cushion" and event.balls == (cue,) and event.time <= until:
             out = -normals[event.wall]
-            found.append((event.after[0].position, (out.real, out.imag)))
+            at = _turn(legs, since + event.time)[1].position
+            found.append((at, (out.real, out.imag)))
     return tuple(found)
+
+
+def _turn(legs: list[Leg], time: float) -> tuple[State, State]:
+    """A ball just before and just after something happened to it, at a world time."""
+    index = min(range(len(legs)), key=lambda i: abs(legs[i].time - time))
+    before, leg = legs[max(index - 1, 0)], legs[index]
+    return before.after(leg.time - before.time).state(), leg.state()
 
 
 def story(log: Log, since: float, now: float) -> Story:
     """Tell the log of one shot from `since` to `now`, world seconds."""
-    events = tuple(e._replace(time=e.time - since) for e in log)
-    paths, lanes = {}, []
+    return _story(log, _legs(log), since, now)
+
+
+def _legs(log: Log) -> Legs:
+    return {name: log.legs(name) for name in log.names}
+
+
+def _story(log: Log, legs: Legs, since: float, now: float) -> Story:
+    events = [Mark(c.time - since, c.kind, c.balls, c.wall) for c in log.contacts()]
+    lanes = []
     for name in log.names:
-        moved = _moved(log, name, since, now)
-        if moved:
-            paths[name] = path(log, name, since, now)
-        legs = tuple((a - since, b - since, _pace(leg, a, b)) for leg, a, b in moved)
-        lanes.append(Lane(name, legs))
+        own = legs[name]
+        moved = _moved(own, since, now)
+        lanes.append(Lane(name, tuple((a - since, b - since, _pace(g, a, b)) for g, a, b in moved)))
+        rests = (leg.time for leg in own[1:] if leg.velocity == leg.roll == leg.acceleration == 0j)
+        events += [Mark(time - since, "rest", (name,)) for time in rests]
+    events.sort(key=lambda mark: mark.time)
     ends = [e.time for e in events] + [lane.legs[-1][1] for lane in lanes if lane.legs]
-    return Story(paths, tuple(lanes), events, max(ends, default=0.0))
+    return Story(tuple(lanes), tuple(events), max(ends, default=0.0))
 
 
-NO_STORY = Story({}, (), (), 0.0)
+NO_STORY = Story((), (), 0.0)
 
 
 def forecast(world: World, since: float) -> Story:
@@ -151,13 +179,16 @@ def forecast(world: World, since: float) -> Story:
 
 def path(log: Log, name: str, since: float, until: float) -> tuple[Place, ...]:
     """The way of a ball between two world times as points; straight legs are two."""
-    moved = _moved(log, name, since, until)
+    return _way(log.legs(name), since, until)
+
+
+def _way(legs: list[Leg], since: float, until: float) -> tuple[Place, ...]:
+    moved = _moved(legs, since, until)
     return tuple(p for leg, a, b in moved for p in _points(leg, a - leg.time, b - leg.time))
 
 
-def _moved(log: Log, name: str, since: float, until: float) -> list[tuple[Leg, float, float]]:
+def _moved(legs: list[Leg], since: float, until: float) -> list[tuple[Leg, float, float]]:
     """The legs on which a ball got anywhere, each with the times between which it was on it."""
-    legs = log.legs(name)
     ends = [leg.time for leg in legs[1:]] + [until] * bool(legs)
     pairs = zip(legs, ends, strict=True)
     spans = ((leg, max(leg.time, since), min(end, until)) for leg, end in pairs)
@@ -188,23 +219,17 @@ def _points(leg: Leg, a: float, b: float) -> list[Place]:
     return [(p.real, p.imag) for p in spots]
 
 
-def _first_contact(events: tuple[Event, ...], cue: str, radii: dict[str, float]) -> Contact | None:
-    for index, event in enumerate(events):
-        if event.kind == "ball" and cue in event.balls:
-            mine = event.balls.index(cue)
-            return _contact(event, mine, index, radii)
-    return None
-
-
-def _contact(event: Event, mine: int, index: int, radii: dict[str, float]) -> Contact:
-    ball = event.balls[1 - mine]
-    own, other = event.before[mine], event.before[1 - mine]
+def _contact(
+    met: Mark, legs: Legs, cue: str, since: float, radii: dict[str, float]
+) -> Contact:
+    ball = next(name for name in met.balls if name != cue)
+    own, left = _turn(legs[cue], since + met.time)
+    other, sent = _turn(legs[ball], since + met.time)
     line = complex(other.position[0] - own.position[0], other.position[1] - own.position[1])
     way = complex(*own.velocity) - complex(*other.velocity)
     turn = phase(line / way) if way else 0.0
     aside = abs(line) * abs((line / abs(line) / (way / abs(way))).imag) if way else 0.0
-    overlap = 1.0 - aside / (radii[ball] + radii[event.balls[mine]])
-    leaves = (event.after[mine].velocity, event.after[1 - mine].velocity)
+    overlap = 1.0 - aside / (radii[ball] + radii[cue])
+    leaves = left.velocity, sent.velocity
     signed = -overlap if turn < 0 else overlap
-    return Contact(ball, own.position, other.position, leaves, signed, abs(degrees(turn)), index)
-
+    return Contact(ball, own.position, other.position, leaves, signed, abs(degrees(turn)))

@@ -9,7 +9,7 @@ from math import atan2, copysign, hypot, radians
 import pygame
 
 from game.play import Game
-from game.playhead import moment
+from game.playhead import known, passed, runs
 from game.preview import Contact, Place, Preview, path
 from game.render import lines
 from game.render.layout import Layout
@@ -32,7 +32,8 @@ def key(game: Game, aids: str) -> object:
             return "arrange", game.held_ball, game.stamp
         return "aim", game.preview_key, aids, computer(game)
     if game.shown_shot:
-        return "shot", game.stamp, len(game.world.log), game.moving, game.head.at
+        at = None if runs(game) else game.head.at
+        return "shot", game.stamp, game.began, passed(game), game.moving, at, game.head.playing
     return None
 
 
@@ -197,9 +198,7 @@ def _traces(
 ) -> Rects:
     """Draw where the balls have run up to the last event, or to the moment on show."""
     log, s = game.world.log, layout.s
-    now = moment(game)
-    if game.moving and game.head.at is None:
-        now = log[-1].time if len(log) else game.began
+    now = known(game)
     rects: Rects = []
     for name in game.traced:
         look = looks[_index(game, name)]

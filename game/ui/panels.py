@@ -11,7 +11,7 @@ import pygame
 from game.actions import Action
 from game.clock import TICKS
 from game.play import Game
-from game.playhead import moment
+from game.playhead import moment, passed
 from game.render import cards
 from game.render.layout import Layout
 from game.render.theme import BACKGROUND, TEXT, TEXT_SOFT
@@ -91,7 +91,8 @@ def _result_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
 
 def _log_key(sight: Sight) -> Hashable:
     game = sight.game
-    return game.shots, game.began, len(game.world.log), game.head.at, sight.settings.both
+    head = passed(game), game.head.at is None
+    return game.shots, game.began, len(game.world.log), head, sight.settings.both
 
 
 def log_rows(game: Game, w: dict[str, str], colours: str = "usual") -> list[cards.LogRow]:
@@ -122,9 +123,9 @@ def log_rows(game: Game, w: dict[str, str], colours: str = "usual") -> list[card
 
 
 def _log_times(game: Game) -> list[float]:
-    """When the rows of the log were, seconds since the shot."""
-    times = [event.time - game.began for event in game.world.log if event.kind != "roll"]
-    return [0.0, *times] if game.shots else times
+    """When the rows of the log were, world seconds."""
+    times = [event.time for event in game.world.log if event.kind != "roll"]
+    return [game.began, *times] if game.shots else times
 
 
 def _log_place(sight: Sight, rect: pygame.Rect) -> tuple[int, int]:
@@ -133,8 +134,7 @@ def _log_place(sight: Sight, rect: pygame.Rect) -> tuple[int, int]:
     times, shown = _log_times(game), cards.log_rows(rect, sight.layout.s)
     if game.head.at is None:
         return len(times) - 1, max(0, len(times) - shown)
-    now = moment(game) - game.began + 1e-9
-    current = sum(time <= now for time in times) - 1
+    current = sum(time <= moment(game) for time in times) - 1
     return current, cards.log_scroll(len(times), current, shown)
 
 
@@ -163,7 +163,7 @@ def _log_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
     times, (_, top) = _log_times(sight.game), _log_place(sight, rect)
     for place, time in enumerate(times[top : top + cards.log_rows(rect, sight.layout.s)]):
         if cards.log_row(rect, sight.layout.s, place).collidepoint(at):
-            return Action("scrub", ceil(max(time, 0.0) * TICKS))
+            return Action("scrub", max(0, ceil((time - sight.game.began) * TICKS)))
     return None
 
 

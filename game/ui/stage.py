@@ -8,7 +8,7 @@ from math import ceil, cos, sin
 import pygame
 
 from game.play import Game
-from game.playhead import moment
+from game.playhead import moment, runs
 from game.render import cue, lines
 from game.render.balls import BallSprites
 from game.render.fan import Fan
@@ -71,7 +71,7 @@ class Stage:
             for index, ball in enumerate(game.world.balls):
                 if any(ball.spin):
                     self.sprites.turn(index, ball.spin, since)
-        if since > 0.0 and game.head.at is None:
+        if runs(game):
             self.trail.grow(game)
 
     def take_over(self, other: Stage) -> None:

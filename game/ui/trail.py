@@ -8,6 +8,7 @@ from math import hypot
 import pygame
 
 from game.play import Game
+from game.playhead import known, passed, runs
 from game.render.layout import Layout
 from game.render.theme import BallLook, Colour
 
@@ -27,15 +28,15 @@ class Trail:
     def grow(self, game: Game) -> None:
         """Take in where the balls are now."""
         self._follow(game)
+        seen = game.seen
         for i, points in self._points.items():
-            ball = game.world.balls[i]
-            at = ball.position
+            at = seen[game.world.balls[i].name].position
             if hypot(at[0] - points[-1][0], at[1] - points[-1][1]) >= STEP:
                 points.append(at)
 
     def _follow(self, game: Game) -> None:
         """Begin anew after an event, a shot or a stop."""
-        since = game.stamp, len(game.world.log), _grows(game)
+        since = game.stamp, game.began, passed(game), runs(game)
         if since != self._since:
             self._since, self._drawn = since, {}
             self._points = {i: [at] for i, at in _last_places(game).items()}
@@ -73,16 +74,10 @@ def _stroke(
     return dirty.clip(surface.get_rect())
 
 
-def _grows(game: Game) -> bool:
-    """Do the balls run before the player's eyes?"""
-    return game.shown_shot and game.moving and game.head.at is None
-
-
 def _last_places(game: Game) -> dict[int, Place]:
     """Where the balls that leave a trace were at the last event, or when the shot began."""
-    if not _grows(game):
+    if not runs(game):
         return {}
-    log = game.world.log
-    states = log.at(log[-1].time if len(log) else game.began)
+    states = game.world.log.at(known(game))
     names = enumerate(ball.name for ball in game.world.balls)
     return {i: states[name].position for i, name in names if name in game.traced}
