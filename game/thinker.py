@@ -11,7 +11,7 @@ from itertools import count
 from random import Random
 from time import perf_counter
 
-from physics import Shot
+from physics import EventDriven, Shot
 
 from .actions import Action
 from .aim import BOXES, plain
@@ -114,7 +114,9 @@ class Thinker:
             return
         self._about, self._hurried = about, False
         seed = self.seed * 1_000_003 + sum(sheet.strokes for sheet in contest.match.sheets)
-        self.mind = Opponent(game.world, contest.match, contest.level, seed, EFFORT)
+        world = game.world.copy()
+        world.engine = EventDriven()  # fixed steps would take a hundred times as long
+        self.mind = Opponent(world, contest.match, contest.level, seed, EFFORT)
         self._rng = Random(seed + 1)
         self._since = self._shown_at = game.tick
         self._decided, self._shown = 0, None

@@ -148,6 +148,13 @@ def test_rules_read_nothing_but_the_events_of_the_stroke():
     assert game.contest.fixture.match().judged(contacts) == game.contest.verdict
 
 
+def test_a_stroke_counts_alike_under_fixed_steps():
+    game = a_match()
+    game.perform(Action("engine", "thesis"))
+    assert stroke(game, speed=0.5, angle=90.0).reason == "one_red"
+    assert game.contest.match.at == 1
+
+
 def test_a_stroke_while_balls_move_is_refused_in_a_match():
     game = a_match()
     game.perform(Action("fire"))

@@ -96,6 +96,7 @@ COLUMNS: tuple[tuple[Section, ...], ...] = (
                 ("@sheet rules", "key.sheet rules"),
                 ("@sheet menu", "key.sheet menu"),
                 ("@mute", "key.mute"),
+                ("@both", "key.both"),
             ),
         ),
     ),
