@@ -95,7 +95,7 @@ def _kernel() -> ModuleType:
 
     folder, before = cache_folder(), config.CACHE_DIR
     if not folder.exists():
-        log.warning("compiling the kernel for %s, this once: it takes about ten seconds", folder)
+        log.warning("compiling the kernel for %s, this once: it takes 10 to 30 seconds", folder)
     config.CACHE_DIR = str(folder)
     try:
         return load(NAME, _subset())
