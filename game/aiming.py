@@ -144,7 +144,7 @@ def _past(game: Game, wanted: Callable[[float], int]) -> None:
         game.warn("thickness.none")
         return
     eighths = wanted(thickness.aside(seen.contact))
-    angle = thickness.angle(game.world, game.cue, shot, seen.contact, eighths)
+    angle = thickness.angle(game.world, game.cue, shot, seen, eighths)
     if angle is None:
         game.warn("thickness.blocked")
     elif ready(game):

@@ -11,12 +11,14 @@ from math import asin, ceil, copysign, degrees, floor, radians
 
 from physics import Shot, World
 
-from .preview import Contact, preview
+from .preview import Contact, Preview, preview
 
 EIGHTHS = 8
 CLOSE = 1e-3
 """Eighths by which the result may be off: 4 μm on a carom ball, less than the box can say."""
 TRIES = 12
+NEAR = 0.02
+"""Degrees that a shot off a cushion is turned at first: it is sensitive."""
 STRIDE = 4.0
 """Degrees an attempt may be turned at most."""
 
@@ -33,18 +35,22 @@ def neighbour(now: float, way: int) -> int:
     return min(max(to, 1 - EIGHTHS), EIGHTHS - 1)
 
 
-def angle(world: World, cue: str, shot: Shot, contact: Contact, eighths: int) -> float | None:
-    """The angle, radians, at which the contact's ball is met so; None if it cannot be."""
+def angle(world: World, cue: str, shot: Shot, seen: Preview, eighths: int) -> float | None:
+    """The angle, radians, at which the ball that is `seen` to be met first is met so, or None."""
+    contact = seen.contact
+    assert contact is not None, "there is a thickness only where a ball is met"
+    name = contact.ball
 
     def off(degrees_: float) -> float | None:
         """By how many eighths an angle misses what is wanted."""
-        seen = preview(world, cue, replace(shot, angle=degrees_))
-        if seen is None or seen.contact is None or seen.contact.ball != contact.ball:
+        then = preview(world, cue, replace(shot, angle=degrees_))
+        if then is None or then.contact is None or then.contact.ball != name:
             return None
-        return aside(seen.contact) - eighths
+        return aside(then.contact) - eighths
 
     at, missed = shot.angle, aside(contact) - eighths
-    to = _straight(world, cue, contact, eighths)
+    met = next(event for event in seen.story.events if cue in event.balls)
+    to = at + NEAR if met.kind == "cushion" else _straight(world, cue, contact, eighths)
     for _ in range(TRIES):
         found = off(to)
         if found is None:

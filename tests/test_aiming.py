@@ -248,6 +248,22 @@ def test_a_curved_way_meets_the_eighth_as_well(app):
     assert ball.ball == first.ball
 
 
+def test_off_a_cushion_the_eighth_is_met_off_that_cushion(app):
+    app.perform(Action("set", "speed 4 follow 0 masse 0 side 0 angle 120"))
+    for step in range(60):
+        app.perform(Action("set", f"angle {100 + step}"))
+        contact = app.game.preview.contact
+        if contact is not None and len(app.game.preview.way) > 2:
+            break
+    press(app, "t")
+    now = app.game.preview
+    assert now.contact.ball == contact.ball
+    assert len(now.way) > 2
+    assert abs(number(app, 4) - (100 + step)) < 3
+    past = 8 * (1 - abs(now.contact.overlap))
+    assert past == pytest.approx(round(past), abs=5e-3)
+
+
 def test_t_goes_through_the_eighths_one_by_one_and_stops_at_the_last(app):
     app.perform(Action("set", "angle 33"))
     press(app, *["shift+t"] * 20)

@@ -18,7 +18,7 @@ from .text import Type
 from .theme import Colour, mix
 
 RED = theme.rgb("#C4162E")
-EIGHTHS_SHOWN = tuple(range(7, -8, -1))
+EIGHTHS_SHOWN = tuple(range(-7, 8))
 """Where the cue ball can be sent past another, in eighths: + on its right; full in the middle."""
 
 
@@ -213,7 +213,7 @@ def eighths(
         surface.fill(theme.TEXT_SOFT if eighth % 4 == 0 else theme.LINE_INPUT, tick)
     past = 8 * (1 - abs(overlap)) * (1 if overlap >= 0 else -1)
     step = (boxes[-1].centerx - boxes[0].centerx) / (len(boxes) - 1)
-    x, y = boxes[len(boxes) // 2].centerx + 0.5 - past * step, boxes[0].y + 13 * s
+    x, y = boxes[len(boxes) // 2].centerx + 0.5 + past * step, boxes[0].y + 13 * s
     x = min(max(x, boxes[0].x), boxes[-1].right)
     lines.polygon(surface, [(x, y), (x - 4 * s, y + 6 * s), (x + 4 * s, y + 6 * s)], colour)
     return rect
