@@ -225,4 +225,5 @@ WORDS = {
     "key.both": "events in both languages",
     "fact.innings.1": "1 inning",
     "score.won.1": "wins after 1 inning",
+    "event.hit": "hits {second}",
 }

@@ -208,4 +208,5 @@ WORDS = {
     "key.both": "사건 기록을 두 언어로",
     "fact.innings.1": "1이닝",
     "score.won.1": "1이닝 만에 승리",
+    "event.hit": "{second} 맞음",
 }

@@ -95,8 +95,10 @@ def _log_key(sight: Sight) -> Hashable:
     return game.shots, game.began, len(game.world.log), head, sight.settings.both
 
 
-def log_rows(game: Game, w: dict[str, str], colours: str = "usual") -> list[cards.LogRow]:
-    """The events of the shot that matter to a player."""
+def log_rows(
+    game: Game, w: dict[str, str], colours: str = "usual", hit: str = "event.ball"
+) -> list[cards.LogRow]:
+    """The events of the shot that matter to a player; `hit` is the key for balls that meet."""
     names = [ball.name for ball in game.world.balls]
     colour = {name: look(name, i, colours) for i, name in enumerate(names)}
 
@@ -112,7 +114,7 @@ def log_rows(game: Game, w: dict[str, str], colours: str = "usual") -> list[card
             balls = balls[::-1]
         if event.kind == "ball":
             first, second = (ball_words(b, w) for b in balls)
-            said = w["event.ball"].format(first=first, second=second)
+            said = w[hit].format(first=first, second=second)
         elif event.kind == "cushion":
             side = w.get(f"wall.{event.wall}")
             said = w["event.cushion"].format(wall=side) if side else w["event.cushion.inner"]
@@ -142,7 +144,7 @@ def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygam
     rows, title = log_rows(sight.game, sight.words, sight.settings.colours), sight.words["events"]
     if sight.settings.both:
         other = words(next(key for key in LANGUAGES if key != sight.game.language))
-        rows = _with_second(rows, log_rows(sight.game, other))
+        rows = _with_second(rows, log_rows(sight.game, other, hit="event.hit"))
         title += " · " + other["events"]
     current, top = _log_place(sight, rect)
     cards.log(surface, rect, sight.type, title, rows, current, first=top)
