@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pygame
 
@@ -13,12 +15,15 @@ from game.options import Options
 from game.play import Game
 
 FRAME = TICKS // 60
+FOLDER = TemporaryDirectory()
+"""Where set-ups are saved instead of in the user's folder."""
 
 
 def an_app(size=(960, 540), **options) -> App:
     """An app whose frames the test asks for."""
     chosen = replace(Options(), size=size, frames=1, **options)
     app = App(new_game(chosen), chosen)
+    app.view.sheets["shelf"].library.path = Path(FOLDER.name) / f"{id(app)}.json"
     app.frame(0)
     return app
 
