@@ -12,7 +12,7 @@ import pygame
 
 from game.tip import LIMIT
 
-from . import light, lines, shapes, theme
+from . import light, lines, shapes, signs, theme
 from .cards import card
 from .text import Type
 from .theme import Colour, mix
@@ -74,10 +74,11 @@ def tip(
     _miscue_ring(surface, (x, y), LIMIT * radius, s, refused)
     _marker(surface, (x + point[0] * radius, y - point[1] * radius), radius, s, safe)
     right = rect.right - 12 * s
+    row, below = max(38 * s, 27), max(18 * s, 13)  # text never gets smaller than 11 px
     for i, (label, value) in enumerate(values):
-        base = rect.y + (50 + 38 * i) * s
+        base = rect.y + 50 * s + row * i
         type_.draw(surface, label, (right, base), 13, theme.TEXT_SOFT, "right")
-        type_.draw(surface, value, (right, base + 18 * s), 17, theme.TEXT, "right")
+        type_.draw(surface, value, (right, base + below), 17, theme.TEXT, "right")
     return rect
 
 
@@ -213,7 +214,7 @@ def eighths(
         surface.fill(theme.TEXT_SOFT if eighth % 4 == 0 else theme.LINE_INPUT, tick)
     past = 8 * (1 - abs(overlap)) * (1 if overlap >= 0 else -1)
     step = (boxes[-1].centerx - boxes[0].centerx) / (len(boxes) - 1)
-    x, y = boxes[len(boxes) // 2].centerx + 0.5 + past * step, boxes[0].y + 13 * s
-    x = min(max(x, boxes[0].x), boxes[-1].right)
-    lines.polygon(surface, [(x, y), (x - 4 * s, y + 6 * s), (x + 4 * s, y + 6 * s)], colour)
+    x = min(max(boxes[len(boxes) // 2].centerx + past * step, boxes[0].x), boxes[-1].right)
+    place = pygame.Rect(round(x), boxes[0].y + round(16 * s), 1, 1)
+    signs.draw(surface, place, "here", s, colour)
     return rect

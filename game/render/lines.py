@@ -18,6 +18,8 @@ from .arrays import Floats, Points
 from .theme import HALO, Colour
 
 HALO_ALPHA = 0.38
+SHORT = 48
+"""Pixels up to which a straight line is drawn by looking at its whole square."""
 SHARES = (1 / 32, 1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2)
 """What each round of `decimated` may spend: dropping every second point costs four times more."""
 
@@ -69,6 +71,8 @@ def polyline(
     """
     if len(points) < 2:
         return pygame.Rect(0, 0, 0, 0)
+    if len(points) == 2 and not fade and not dashes and 1e-6 < length(points) < SHORT:
+        return _short(surface, points, colour, width, alpha, soft)
     near = raster.touched(points, width / 2 + soft, surface.get_clip())
     cover = ((width / 2 + soft - near.away) / (2 * soft)).clip(0, min(1.0, width)) * alpha
     if fade:
@@ -76,6 +80,20 @@ def polyline(
     if dashes:
         cover *= _dashed(near.along, dashes)
     return raster.blend(surface, near.x, near.y, cover.astype(np.float32), colour)
+
+
+def _short(
+    surface: pygame.Surface, points: Points, colour: Colour, width: float, alpha: float, soft: float
+) -> pygame.Rect:
+    """Draw one short segment: all pixels of its square cost less than finding those near it."""
+    (x0, y0), (x1, y1) = points
+    reach, (x, y) = width / 2 + soft, ((x0 + x1) / 2, (y0 + y1) / 2)
+    ahead, half = ((x1 - x0) / 2, (y1 - y0) / 2), length(points) / 2
+    square, dx, dy = _around(surface, x, y, half + reach)
+    share = ((dx * ahead[0] + dy * ahead[1]) / np.float32(max(half * half, 1e-9))).clip(-1, 1)
+    away = np.hypot(dx - share * np.float32(ahead[0]), dy - share * np.float32(ahead[1]))
+    cover = ((reach - away) / (2 * soft)).clip(0, min(1.0, width)) * alpha
+    return _painted(surface, square, cover, colour)
 
 
 def _dashed(along: Floats, dashes: Sequence[float]) -> Floats:

@@ -22,6 +22,7 @@ SHAPES: dict[str, list[Points]] = {
         [(x - 1.3, -5), (x + 1.3, -5), (x + 1.3, 5), (x - 1.3, 5)] for x in (-2.8, 2.8)
     ],
     "slower": [[(2, -4), (2, 4), (-2.5, 0)]],
+    "here": [[(0, -3), (4, 3), (-4, 3)]],
     "faster": [[(-2, -4), (-2, 4), (2.5, 0)]],
 }
 """Polygons around the middle, px at s = 1."""
