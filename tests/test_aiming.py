@@ -11,6 +11,7 @@ from players import FRAME, an_app, assert_same_as_anew, click, enter, press, wri
 
 from game.actions import Action
 from game.aiming import share, speed_at
+from game.fixture import Fixture
 from game.render import cuecard, gauges
 from game.tip import LIMIT, Tip, tip_of
 from game.ui.grasp import TRAVEL, pull
@@ -343,3 +344,22 @@ def test_reduced_motion_shows_no_stroke(app):
     app.perform(Action("still"))
     press(app, "return")
     assert app.view.stage._cue[0] is None
+
+
+def test_in_a_match_the_share_of_the_fan_that_scores_is_told(app):
+    app.perform(Action("match", Fixture("four-ball").line()))
+    app.perform(Action("set", "speed 3.49 follow 0.78 masse 0 side -1.15 angle 83.72"))
+    press(app, "f")
+    for _ in range(40):
+        app.frame(FRAME)
+    share_made = app.view.spread.share
+    made = [one.made for one in app.view.spread.samples]
+    assert share_made == sum(made) / 40
+    assert 0 < share_made < 1
+    assert_same_as_anew(app)
+    free = an_app()
+    press(free, "f")
+    for _ in range(40):
+        free.frame(FRAME)
+    assert free.view.spread.done
+    assert free.view.spread.share is None
