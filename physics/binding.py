@@ -17,6 +17,8 @@ def load(name: str, subset: ModuleType) -> ModuleType:
     assert spec is not None
     assert spec.loader is not None
     package = importlib.util.module_from_spec(spec)
+    for module in [other for other in sys.modules if other.startswith(f"{name}.")]:
+        del sys.modules[module]  # of an earlier load: they are bound to another subset
     sys.modules[name] = package
     sys.modules[f"{name}.subset"] = subset
     spec.loader.exec_module(package)

@@ -28,6 +28,12 @@ class World:
     can be read and assigned at any moment. What cannot be raises ValueError and changes nothing.
     """
 
+    __slots__ = (  # so that a misspelt name is an error, and not an attribute that nobody reads
+        "__weakref__", "_ball_law", "_balls", "_clock", "_cloth", "_cluster_law", "_cushion_law",
+        "_engine", "_index", "_told", "_walls", "_watched", "allowed", "due", "log", "planned",
+        "scene",
+    )  # fmt: skip
+
     def __init__(
         self,
         cloth: Cloth | None = None,
@@ -269,7 +275,8 @@ class World:
         world = World.__new__(World)
         clock = self._clock.copy()
         balls = [ball.twin(clock) for ball in self._balls]
-        world.__dict__.update(self.__dict__)
+        for name in World.__slots__[1:]:
+            setattr(world, name, getattr(self, name))
         world._clock, world._balls, world.log = clock, balls, log
         world._index, world._walls = self._index.copy(), self._walls[:]
         log.watch(world._walls)

@@ -51,3 +51,9 @@ def test_a_break_ends_where_it_should(offset):
 def test_a_cradle_is_exact(angle):
     world = scenes.cradle(5, angle)
     assert error(world) < 1e-13
+
+
+def test_a_kernel_loaded_again_under_its_name_is_whole():
+    first, again = fifty.kernel.__wrapped__(), fifty.kernel.__wrapped__()
+    assert again.contact is not first.contact
+    assert again.calendar.meeting is again.contact.meeting

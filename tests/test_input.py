@@ -143,6 +143,12 @@ def test_a_ball_keeps_its_name():
         Ball("white", at=(0.0, 0.0)).name = "red"
 
 
+@pytest.mark.parametrize("name", ["cushionlaw", "cushion_laws", "Engine", "gravity"])
+def test_a_misspelt_name_is_an_error(name):
+    with pytest.raises(AttributeError, match=name):
+        setattr(scenes.carom(), name, "mathavan")
+
+
 def test_a_phase_can_be_assigned_in_mid_flight():
     world = scenes.carom()
     white = world.ball("white")
