@@ -60,7 +60,8 @@ class Sheet:
             self._scroll(-event.y, sight)
         elif event.type == pygame.MOUSEMOTION:
             self.over = sheetview.part_at(event.pos, sight, self.first)
-            return self._slide(event.pos, sight) if self._sliding else None
+            slides = self._sliding and self.row.kind == "slider"  # a key may have moved the focus
+            return self._slide(event.pos, sight) if slides else None
         elif event.type == pygame.MOUSEBUTTONUP:
             self._sliding = False
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
