@@ -18,7 +18,7 @@ from players import (
     write,
 )
 
-from game import lineup, thinker
+from game import clipboard, lineup, thinker
 from game.actions import Action
 from game.match import opponent
 from game.match.positions import opening
@@ -499,6 +499,22 @@ def test_a_line_is_copied_and_pasted_even_without_a_clipboard(monkeypatch):
     press(app, "ctrl+v")
     assert app.game.sheet == ""
     assert places(app.game) == wanted
+
+
+def test_what_is_copied_can_be_pasted():
+    an_app()
+    assert clipboard.put("danggu1 사구")
+    assert clipboard.get() == "danggu1 사구"
+
+
+def test_without_any_clipboard_nothing_is_copied_and_nothing_breaks(monkeypatch):
+    def none():
+        raise pygame.error("no clipboard")
+
+    for name in ("_scrap", "_sdl", "_ready"):
+        monkeypatch.setattr(clipboard, name, none)
+    assert not clipboard.put("x")
+    assert clipboard.get() == ""
 
 
 def test_a_broken_line_in_the_box_says_what_is_wrong_and_changes_nothing():
