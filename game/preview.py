@@ -19,6 +19,8 @@ SAME = 0.02
 """Seconds: contacts with one ball that follow each other faster are one contact to the eye."""
 HORIZON = 120.0
 """Seconds: no shot that a player can make rolls for longer."""
+GLIMPSE = 5.0
+"""Seconds foretold of a shot that has no end."""
 MOVED = 1e-9
 """Metres: a leg shorter than this is a ball that lies still."""
 
@@ -86,7 +88,9 @@ class Preview:
 
 
 def preview(world: World, cue: str, shot: Shot) -> Preview | None:
-    """Play the shot on a copy; None if it has more events than the engine allows."""
+    """Play the shot on a copy; None if it has too many events for the engine, or never an end."""
+    if not rests(world):
+        return None
     try:
         after = simulate(world, cue, shot)
     except EventBudgetError:
@@ -105,6 +109,12 @@ def preview(world: World, cue: str, shot: Shot) -> Preview | None:
     own, other = legs[cue], legs[contact.ball]
     parts = _way(own, since, hit), _way(own, hit, end), _way(other, hit, end)
     return Preview(told, contact, *parts, bounces)
+
+
+def rests(world: World) -> bool:
+    """Does the cloth bring balls to rest?"""
+    cloth = world.cloth
+    return cloth.slide * cloth.roll * cloth.gravity > 0.0
 
 
 def _decision(told: Story, cue: str, met: float | None) -> float:
@@ -171,7 +181,7 @@ def forecast(world: World, since: float) -> Story:
     """Tell the shot that began at `since` to its end: what has happened and what will."""
     ahead = world.copy()
     try:
-        ahead.run(world.time + HORIZON)
+        ahead.run(world.time + (HORIZON if rests(world) else GLIMPSE))
     except EventBudgetError:
         return NO_STORY
     return story(ahead.log, since, ahead.time)

@@ -363,3 +363,13 @@ def test_in_a_match_the_share_of_the_fan_that_scores_is_told(app):
         free.frame(FRAME)
     assert free.view.spread.done
     assert free.view.spread.share is None
+
+
+@pytest.mark.parametrize("engine", ["exact", "thesis"])
+def test_a_shot_that_never_ends_has_no_preview_under_either_engine(engine):
+    app = an_app(scene="cradle")
+    app.perform(Action("engine", engine))
+    press(app, "space", "q")
+    assert app.game.aim.complete
+    assert app.game.preview is None
+    assert_same_as_anew(app)
