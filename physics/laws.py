@@ -9,7 +9,7 @@ are complex numbers in m/s; roll is -i R ω, side is R ω_z; impulses in N s.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import sqrt
 from typing import Any, ClassVar
 
@@ -225,6 +225,8 @@ class HertzCluster:
             positive("HertzCluster.e", self.e)
 
 
+BENT = RigidCushion | MathavanCushion  # laws that know how high the nose is
+
 CushionLaw = _CushionLaw | Callable[[complex, complex, float], CushionState]
 BallLaw = _BallLaw | ThesisBall | Callable[[complex, complex, float, float], tuple[float, complex]]
 
@@ -239,13 +241,18 @@ class ForeignRule(Rule):
         self.function = function
 
 
-def cushion_law(law: "str | CushionLaw") -> CushionLaw:
-    """The law itself, from its name or as it is; ValueError for anything else."""
+def cushion_law(law: "str | CushionLaw", before: "CushionLaw | None" = None) -> CushionLaw:
+    """The law itself, from its name or as it is; ValueError for anything else.
+
+    The nose belongs to the table: by name, a law keeps the height that the law before it had.
+    """
     names: dict[str, Callable[[], CushionLaw]] = {
         "rigid": RigidCushion, "mathavan": MathavanCushion,
         "thesis": ThesisCushion, "capped": CappedCushion,
     }  # fmt: skip
     found: CushionLaw = _law("cushion law", law, names, (_BallLaw, ThesisBall))
+    if isinstance(law, str) and isinstance(before, BENT) and isinstance(found, BENT):
+        return replace(found, nose=before.nose)
     return found
 
 

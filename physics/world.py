@@ -139,7 +139,7 @@ class World:
 
     @cushion_law.setter
     def cushion_law(self, law: str | laws.CushionLaw) -> None:
-        self._cushion_law = laws.cushion_law(law)
+        self._cushion_law = laws.cushion_law(law, self._cushion_law)
         self._renew_rules()
 
     @property

@@ -332,6 +332,16 @@ def test_unknown_laws_are_refused_with_the_names_there_are():
         laws.SmoothBall(1.1)
 
 
+def test_a_cushion_law_by_name_keeps_the_nose_of_the_table():
+    world = tables.medium_carom()
+    nose = world.cushion_law.nose
+    assert nose == 0.039 / 0.03275
+    world.cushion_law = "mathavan"
+    assert world.cushion_law == laws.MathavanCushion(nose=nose)
+    world.cushion_law = laws.RigidCushion()
+    assert world.cushion_law.nose == 1.203
+
+
 def test_too_many_events_are_an_error_that_carries_the_scene():
     world = moving()
     world.engine = EventDriven(budget=4)
