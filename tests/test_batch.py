@@ -123,7 +123,10 @@ def test_no_shots_give_empty_arrays():
     assert outcomes.times.shape == outcomes.events.shape == (0,)
 
 
-@pytest.mark.parametrize(("column", "value"), [(0, 0.0), (0, inf), (1, np.nan), (4, -inf), (2, 1e51)])
+BAD = [(0, 0.0), (0, inf), (1, np.nan), (4, -inf), (2, 1e51)]
+
+
+@pytest.mark.parametrize(("column", "value"), BAD)
 def test_a_bad_shot_is_named(column, value):
     rows = np.array([[3.0, 10.0, 0.5, 0.0, 1.5]] * 3)
     rows[1, column] = value
