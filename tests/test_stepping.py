@@ -377,3 +377,18 @@ def test_a_driven_contact_ends():
         world.strike("white", Shot(1.0, follow=4.0))
         world.run()
         assert sum(event.kind == "cushion" for event in world.log) > 3
+
+
+def test_what_fixed_steps_let_overlap_can_be_put_back_in_mid_flight():
+    world = scenes.carom()
+    world.engine = TimeStepping(1 / 60)
+    world.strike("white", Shot(12.0, 37.0))
+    for _ in range(120):
+        world.step(1 / 60)
+        for ball in world.balls:
+            ball.position, ball.velocity, ball.spin = ball.position, ball.velocity, ball.spin
+    world.stop()
+    white, red = world.ball("white"), world.ball("red")
+    white.position = red.position
+    with pytest.raises(ValueError, match="overlap"):
+        world.step(1 / 60)
