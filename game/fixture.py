@@ -50,7 +50,7 @@ class Seat:
         if self.level not in SEATS:
             raise ValueError(f"level must be one of {', '.join(SEATS)}, not {self.level!r:.60}")
         if type(self.target) is not int or not 1 <= self.target <= MOST_POINTS:
-            raise ValueError(f"target must be 1 to {MOST_POINTS}, not {self.target!r:.60}")
+            raise ValueError(f"a handicap is 1 to {MOST_POINTS}, not {self.target!r:.60}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,7 +136,11 @@ def read(line: str) -> Fixture:
 def asked(options: Options) -> Fixture:
     """The fixture that the command line asks for; ValueError names what is wrong with it."""
     said = (options.players or "2").split(",")
-    names = [""] * int(said[0]) if said[0] in ("1", "2") and len(said) == 1 else said
+    names = said
+    if len(said) == 1 and said[0].strip("+-").isdecimal():
+        if said[0] not in ("1", "2"):
+            raise ValueError(f"players must be 1 or 2, not {said[0]:.20}")
+        names = [""] * int(said[0])
     levels = (options.level or HUMAN).split(",")
     if len(levels) < len(names):
         levels = [HUMAN] * (len(names) - len(levels)) + levels

@@ -280,8 +280,8 @@ WRONG = [
     ('{"game":"chess"}', "chess"),
     ('{"seats":[]}', "1 or 2"),
     ('{"seats":7}', "seats"),
-    ('{"seats":[{"target":0}]}', "target"),
-    ('{"seats":[{"target":true}]}', "target"),
+    ('{"seats":[{"target":0}]}', "handicap"),
+    ('{"seats":[{"target":true}]}', "handicap"),
     ('{"seats":[{"level":"god"}]}', "god"),
     ('{"seats":[{"shoes":1}]}', "shoes"),
     ('{"seats":[{"name":"' + "x" * 17 + '"}]}', "name"),
@@ -330,7 +330,8 @@ def test_the_command_line_begins_a_match():
 REFUSED = [
     (["--level", "god"], "god"),
     (["--handicap", "x"], "handicap"),
-    (["--handicap", "0"], "target"),
+    (["--handicap", "0"], "handicap is 1 to"),
+    (["--players", "3"], "1 or 2, not 3"),
     (["--players", "a,b,c"], "players"),
     (["--players", "1", "--level", "club,club"], "players"),
 ]

@@ -120,7 +120,7 @@ WORDS = {
     "shelf.shot": "Copy with shot",
     "shelf.paste": "Paste",
     "shelf.delete": "Delete",
-    "shelf.box": "a name to save these balls under, or a line to lay them as it says",
+    "shelf.box": "a name to save these balls under, or a line to lay them by",
     "shelf.hint": (
         "Arrows choose · Enter takes · Tab box and buttons · PgUp PgDn group · Esc closes"
     ),
@@ -130,7 +130,7 @@ WORDS = {
     "shelf.unnamed": "write a name into the box first",
     "shelf.deleted": "deleted: {word}",
     "shelf.kept": "only your own set-ups can be deleted",
-    "shelf.copied": "the line is in the clipboard and in the box",
+    "shelf.copied": "the line is on the clipboard and in the box",
     "shelf.written": "no clipboard here: the line is in the box",
     "shelf.broken": "part of the file could not be read; it is kept beside as .broken",
     "line.mark": "a set-up begins with “danggu1”, not {word}",
@@ -207,7 +207,7 @@ WORDS = {
         "A bank shot meets a cushion before the first ball: 1 point, or 2 where chosen."
     ),
     "rule.three-cushion.6": (
-        "Each player plays with the own ball, white or yellow, to the own handicap (수지)."
+        "Each player has a cue ball, white or yellow, and a handicap (수지) to reach."
     ),
     "rule.three-cushion.7": (
         "An inning is one turn at the table; the average is points an inning, the high run "

@@ -19,19 +19,19 @@ WORDS = {
     "row.penalty": "파울 벌점",
     "row.floor": "0점 미만 없음",
     "row.bank": "뱅크샷 점수",
-    "row.red_first": "초구 적구 먼저",
+    "row.red_first": "초구 빨간 공 먼저",
     "row.table": "당구대",
     "row.cloth": "천",
     "row.law": "법칙",
     "row.players": "인원",
     "row.name": "이름",
-    "row.level": "누가",
+    "row.level": "조작",
     "row.target": "수지",
     "players.1": "1명",
     "players.2": "2명",
     "yes": "예",
     "no": "아니요",
-    "game.free": "자유 당구대",
+    "game.free": "자유 연습",
     "game.four-ball": "4구 (사구)",
     "game.three-cushion": "3쿠션",
     "finish.none": "점수 도달 시 종료",
@@ -52,7 +52,7 @@ WORDS = {
     "player.human": "선수 {n}",
     "player.computer": "{level}",
     "score.inning": "이닝",
-    "score.average": "에버리지 {n}",
+    "score.average": "애버리지 {n}",
     "score.high": "하이런 {n}",
     "score.run": "연속 {n}",
     "score.fouls": "파울 {n}",
@@ -105,7 +105,7 @@ WORDS = {
     "state.arranging": "공을 놓는 중",
     "notice.refused.moving": "공이 멈출 때까지 기다리세요",
     "notice.refused.over": "경기가 끝났습니다 · F10 새 게임",
-    "notice.refused.match": "경기 중에는 안 됨 · F10 자유",
+    "notice.refused.match": "경기 중에는 안 됨 · F10 자유 연습",
     "key.sheet menu": "게임 메뉴",
     "key.sheet shelf": "배치: 불러오기, 저장, 복사",
     "key.sheet rules": "게임 규칙",
@@ -182,7 +182,7 @@ WORDS = {
     "rule.four-ball.4": "수지는 각 선수가 도달해야 하는 점수입니다.",
     "rule.four-ball.5": "마무리(선택): 점수 도달 시 종료 · 마지막 1점은 3쿠션 · 점수 후 3쿠션 1개.",
     "rule.four-ball.6": (
-        "이닝은 한 번의 공격, 에버리지는 이닝당 점수, 하이런은 한 이닝 최고 득점입니다."
+        "이닝은 한 번의 공격, 애버리지는 이닝당 점수, 하이런은 한 이닝 최고 득점입니다."
     ),
     "rule.four-ball.7": "회전으로 쿠션에 계속 붙어 있는 공은 한 번 닿은 것으로 봅니다.",
     "rule.three-cushion.1": (
@@ -194,7 +194,7 @@ WORDS = {
     "rule.three-cushion.5": "뱅크샷은 첫 공 전에 쿠션을 맞힌 득점으로, 1점 또는 2점(선택)입니다.",
     "rule.three-cushion.6": "각자 자기 공(흰 공, 노란 공)으로 자기 수지까지 칩니다.",
     "rule.three-cushion.7": (
-        "이닝은 한 번의 공격, 에버리지는 이닝당 점수, 하이런은 한 이닝 최고 득점입니다."
+        "이닝은 한 번의 공격, 애버리지는 이닝당 점수, 하이런은 한 이닝 최고 득점입니다."
     ),
     "rule.three-cushion.8": "회전으로 쿠션에 계속 붙어 있는 공은 한 번 닿은 것으로 봅니다.",
     "alone.run": "연속",

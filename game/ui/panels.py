@@ -81,7 +81,8 @@ def _result_look(sight: Sight) -> plates.Result:
     balls, cushions = sight.game.counts
     time = sight.game.readout_time
     first = w[f"result.balls.{min(balls, 2)}"].format(count=balls)
-    second = w["result.line"].format(cushions=cushions, time=number(time))
+    line = w["result.line.1" if cushions == 1 else "result.line"]
+    second = line.format(cushions=cushions, time=number(time))
     return str(balls), first, second, TEXT
 
 

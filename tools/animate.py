@@ -1,0 +1,87 @@
+"""Play a three-cushion shot of the shelf without a window and write it as an animation.
+
+python tools/animate.py [OUT.webp]      needs Pillow: pip install pillow
+
+The cue turns to the answer of the position and shoots; after the point comes the verdict.
+"""
+
+import os
+import sys
+from collections.abc import Iterator
+from math import cos, pi
+from pathlib import Path
+
+from PIL import Image
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+
+import pygame
+
+from game import options
+from game.__main__ import new_game
+from game.actions import Action
+from game.app import App
+from game.match.positions import SHELF
+from game.match.stroke import stroke
+from game.setup import size
+
+DOCS = Path(__file__).parent.parent / "docs"
+FPS, AIMING, AFTER, VERDICT = 20, 1.3, 0.5, 1.4
+"""Frames a second, and seconds: of aiming, after the second ball, and of the verdict."""
+SIZE, QUALITY = (800, 450), 62
+KEY, BESIDE = "around", 7.0
+"""The position that is played, and how many degrees beside its answer the aiming begins."""
+COMMAND = "--game three-cushion --handicap 20 --size 1280x720 --frames 9999 --fps"
+
+
+def main(out: Path) -> None:
+    """Write the animation to a file."""
+    chosen = options.read([*COMMAND.split(), str(FPS)])
+    app = App(new_game(chosen), chosen)
+    try:
+        first, *rest = frames(app)
+    finally:
+        app.close()
+    first.save(
+        out, save_all=True, append_images=rest, duration=1000 // FPS, loop=0,
+        quality=QUALITY, method=6,
+    )  # fmt: skip
+    print(f"{out}: {1 + len(rest)} frames, {out.stat().st_size // 1024} KB")
+
+
+def frames(app: App) -> Iterator[Image.Image]:
+    """The pictures: aiming, the shot until both balls are hit, and the verdict."""
+    game = app.game
+    position = next(place for place in SHELF if place.key == KEY)
+    spots = position.on(*size(game.world))
+    game.lay([spots[ball.name] for ball in game.world.balls])
+    angle, speed, right, up = position.answer
+    for action in (("set", f"angle {angle + BESIDE}"), ("power", str(speed))):
+        app.perform(Action(*action))
+    app.perform(Action("tip", f"{right} {up}"))
+    count = round(AIMING * FPS)
+    for i in range(count):
+        turned = min(1.0, i / (0.7 * count))  # then the cue is still
+        beside = BESIDE * (1 + cos(pi * turned)) / 2
+        app.perform(Action("set", f"angle {angle + beside:.2f}"))
+        yield picture(app)
+    app.perform(Action("shoot"))
+    while not (hits := stroke(game.world.log, game.cue).hits()).keys() >= {"red", "yellow"}:
+        yield picture(app)
+    while game.world.time < game.began + hits["yellow"] + AFTER:
+        yield picture(app)
+    app.perform(Action("skip"))
+    for _ in range(round(VERDICT * FPS)):
+        yield picture(app)
+
+
+def picture(app: App) -> Image.Image:
+    """The next frame, made small."""
+    app.frame(app.clock.frame(busy=True))
+    pixels = pygame.image.tobytes(app.screen, "RGB")
+    whole = Image.frombytes("RGB", app.screen.get_size(), pixels)
+    return whole.resize(SIZE, Image.Resampling.LANCZOS)
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DOCS / "three-cushion.webp")
