@@ -9,7 +9,7 @@ ROOT = Path(__file__).parent.parent
 CHECKS = (
     ("ruff", "check", "."),
     ("mypy",),
-    ("pytest", "-q"),  # with the README's examples, and the game without a window
+    ("pytest", "-q", "-n", "auto"),  # with the README's examples, and the game without a window
 )
 
 
