@@ -7,7 +7,7 @@ them all.
 import hashlib
 import logging
 import os
-from functools import cache
+from functools import cache, partial
 from math import exp, inf, sqrt
 from pathlib import Path
 from threading import Lock
@@ -71,12 +71,13 @@ def _lend() -> Any:
 def _subset() -> ModuleType:
     from numba import njit
 
-    def kernel(function: Any) -> Any:
-        return njit(cache=True, nogil=True, error_model="numpy")(function)
+    def kernel(function: Any, inline: str = "never") -> Any:
+        return njit(cache=True, nogil=True, error_model="numpy", inline=inline)(function)
 
     subset = ModuleType(f"{NAME}.subset")
     vars(subset).update(
-        kernel=kernel, inf=inf, sqrt=sqrt, exp=exp, complex=complex, lend=_lend(),
+        kernel=kernel, inlined=partial(kernel, inline="always"), lend=_lend(),
+        inf=inf, sqrt=sqrt, exp=exp, complex=complex,
         foreign_cushion=njit(nogil=True)(lambda v, roll, side, rule: (v, roll, side)),
         foreign_ball=njit(nogil=True)(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
     )  # fmt: skip

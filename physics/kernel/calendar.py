@@ -5,7 +5,7 @@ from .contact import first_fall, meeting
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .laws import hit_ball, hit_wall
 from .motion import RESTING, carry, length, motion, settle, swept
-from .subset import complex, inf, kernel, lend
+from .subset import complex, inf, inlined, kernel, lend
 
 PHASE_ENDS = -1
 INSTANT = 1e-12  # s: a leg that short goes nowhere
@@ -122,7 +122,7 @@ def appoint(j, i, when, balls, meetings):
     ball.next = ball.meets if ball.meets < ball.leg_end else ball.leg_end
 
 
-@kernel
+@inlined
 def plan(scene):
     """Start afresh from balls that somebody has put there."""
     balls, meetings, grid = scene.balls, scene.meetings, scene.grid
@@ -160,7 +160,7 @@ def earliest(balls):
     return first
 
 
-@kernel
+@inlined
 def happen(i, scene):
     """The next event of ball i; all that it touched is planned anew.
 
@@ -217,7 +217,7 @@ def release(ball, walls, parting):
     ball.trapped = 0
 
 
-@kernel
+@inlined
 def meet(i, j, time, scene):
     """Two balls touch, and perhaps others with them."""
     balls = scene.balls
@@ -261,7 +261,7 @@ def blows(contacts, ties):
     return count
 
 
-@kernel
+@inlined
 def advance(until, budget, scene):
     """Everything that happens up to `until`: (how much it was, when the last of it was)."""
     balls = scene.balls

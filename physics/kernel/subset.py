@@ -20,6 +20,11 @@ def kernel(function: F) -> F:
     return function
 
 
+def inlined(function: F) -> F:
+    """The same for what is handed a whole scene: compiled, it becomes a part of its caller."""
+    return function
+
+
 def lend(scene: Any) -> Any:
     """The same scene; compiled, without a count of references to each of its arrays."""
     return scene
