@@ -15,15 +15,26 @@ from physics import World, scenes
 from . import report
 from .report import ROOT, Report, duration, figure
 from .timing import TURNS, Cost, in_turns, once, yardstick
-from .workload import Batch, break_shot, exact, fan, play, play_fan
+from .workload import (
+    BREAK,
+    SINGLE,
+    Batch,
+    at_rest,
+    break_shot,
+    exact,
+    fan,
+    play_fan,
+    play_shot,
+)
 
 Row = tuple[str, str, Cost, float]  # what, how, cost, target in seconds
 
 
-def children(arguments: list[str], **extra: str) -> float:
-    """CPU seconds of this Python run with these arguments."""
+def children(arguments: list[str], bytecode: Path) -> float:
+    """CPU seconds of this Python run with these arguments, its bytecode kept in that folder."""
+    env = {**os.environ, "PYTHONPYCACHEPREFIX": str(bytecode), "PYTHONDONTWRITEBYTECODE": ""}
     before = getrusage(RUSAGE_CHILDREN)
-    subprocess.run([sys.executable, *arguments], cwd=ROOT, env={**os.environ, **extra}, check=True)
+    subprocess.run([sys.executable, *arguments], cwd=ROOT, env=env, check=True)
     after = getrusage(RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
@@ -47,8 +58,8 @@ def shots_table(effort: int) -> tuple[list[Row], Cost]:
     runs = {
         "yardstick": yardstick,
         "fan": partial(play_fan, world, fan(directions)),
-        "break": partial(play, break_shot, plays),
-        "single": partial(play, scenes.single, 10 * plays),
+        "break": partial(play_shot, at_rest(break_shot), "cue", BREAK, plays),
+        "single": partial(play_shot, at_rest(scenes.single), "white", SINGLE, 10 * plays),
         "compiled fan": compiled_fan(10 * repeats),
         "compiled break": Batch(exact(break_shot), repeats),
         "compiled single": Batch(exact(scenes.single), 10 * repeats),
@@ -95,9 +106,11 @@ def worst_frame(effort: int) -> Cost:
 def import_cost(effort: int) -> Cost:
     """`import physics` beyond Python itself, CPU seconds, in turns."""
     bare, full = [], []
-    for _ in range((2, 5, 15)[effort]):
-        bare.append(children(["-c", "pass"]))
-        full.append(children(["-c", "import physics"]))
+    with TemporaryDirectory() as folder:
+        children(["-c", "import physics"], Path(folder))  # so that the bytecode is there
+        for _ in range((2, 5, 15)[effort]):
+            bare.append(children(["-c", "pass"], Path(folder)))
+            full.append(children(["-c", "import physics"], Path(folder)))
     extra = sorted(b - a for a, b in zip(bare, full, strict=True))
     return Cost(min(full) - min(bare), extra[len(extra) // 2])
 

@@ -34,9 +34,9 @@ from .workload import (
 FRAME = 1 / 60
 SUBSTEPS = ((2, 6), (1, 3, 10, 30), (1, 3, 10, 30, 100, 300, 1000))  # a frame, by effort
 SAMPLES = (2, 6, 31)  # step sizes about each nominal one, at most
-PATIENCE = (0.1, 0.3, 5.0)  # s of CPU for one setting; but never fewer than
+PATIENCE = (0.1, 0.3, 1.5)  # s of CPU for one setting; but never fewer than
 FEWEST = 3  # samples, and a setting whose single run would take longer than
-TOO_LONG = (1.0, 0.5, 12.0)  # s is left out
+TOO_LONG = (1.0, 0.5, 5.0)  # s is left out
 SATURATED = 0.05  # m: from there on the outcome is another one, and errors say nothing of order
 ROUNDING = 1e-12  # m: nor do they where a method is exact
 DRAWS = 400  # of the bootstrap

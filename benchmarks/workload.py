@@ -6,8 +6,9 @@ from typing import Any, NamedTuple
 
 from physics import EventDriven, Shot, TimeStepping, World, scenes, simulate
 
-STRIKE = Shot(3.0, 40.0, follow=0.5, side=1.5)  # three balls hit and ten cushions
+STRIKE = Shot(3.0, 40.0, follow=0.5, side=1.5)  # three hits of balls
 BREAK = Shot(8.0, 1.5)  # off centre: head-on is symmetric, and half the work
+SINGLE = Shot(3.0, 25.0, follow=0.5, side=1.5)  # what the scene `single` begins with
 TIMES = (1.0, 2.0, inf)  # s: when errors are taken
 
 Positions = list[complex]
@@ -128,6 +129,20 @@ class Batch:
 def fan(shots: int) -> list[Shot]:
     """Shots at 3 m/s with follow and side, in so many directions."""
     return [Shot(3.0, 360.0 * k / shots, follow=0.5, side=1.5) for k in range(shots)]
+
+
+def at_rest(make: Callable[[], World]) -> World:
+    """The scene before anything was struck."""
+    world = make()
+    world.stop()
+    world.plan()
+    return world
+
+
+def play_shot(world: World, ball: str, shot: Shot, times: int) -> None:
+    """The same shot from the same world, again and again."""
+    for _ in range(times):
+        simulate(world, ball, shot)
 
 
 def play_fan(world: World, shots: Sequence[Shot]) -> int:
