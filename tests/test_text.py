@@ -6,8 +6,10 @@ import numpy as np
 import pygame
 import pytest
 from pictures import layouts, pixels, same
+from players import FRAME, an_app
 
 import assets
+from game.actions import Action
 from game.render import (
     fields,
     lines,
@@ -50,6 +52,28 @@ def test_every_trace_stands_out_from_its_halo_on_cloth(looks):
 def test_the_safe_set_also_differs_in_letters_and_dashes():
     safe = theme.SAFE_BALLS.values()
     assert len({look.letter for look in safe}) == len({look.dashes for look in safe}) == 4
+
+
+@pytest.mark.parametrize("colours", ["usual", "safe"])
+def test_the_safe_set_says_with_letters_whose_a_trace_is_and_an_event(colours, monkeypatch):
+    written, draw = [], Type.draw
+
+    def noted(self, surface, string, *how):
+        written.append(string)
+        return draw(self, surface, string, *how)
+
+    monkeypatch.setattr(Type, "draw", noted)
+    app = an_app((1280, 720))
+    for action in (Action("colours", colours), Action("shoot"), Action("skip")):
+        app.perform(action)
+    written.clear()
+    app.frame(FRAME)
+    letters = [string for string in written if string in ("W", "Y", "1", "2")]
+    if colours == "usual":
+        assert "W" not in letters
+    else:
+        assert set(letters) == {"W", "1", "2"}  # the yellow ball has not been touched
+        assert letters.count("W") > 2
 
 
 @pytest.mark.parametrize("s", [0.75, 1, 1.5, 3])

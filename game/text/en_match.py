@@ -98,7 +98,7 @@ WORDS = {
     "place.done": "Done",
     "hint.next": "Enter next · R retry · F10 menu",
     "hint.match": "Drag: aim · Enter shoots · F10",
-    "hint.rolling": "End to the end · P pause · F1 help",
+    "hint.rolling": "End skips · P pause · F1 help",
     "hint.thinks": "Enter: play now · F10 menu",
     "hint.over": "F10 new game · R retry · F1",
     "hint.arrange": "Drag balls · Tab, arrows · B done",

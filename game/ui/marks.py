@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from cmath import rect
 from collections.abc import Sequence
+from functools import lru_cache
 from math import atan2, copysign, hypot, radians
 
 import pygame
@@ -11,12 +12,15 @@ import pygame
 from game.play import Game
 from game.playhead import known, passed, runs
 from game.preview import Contact, Place, Preview, path
-from game.render import lines
+from game.render import cards, lines
 from game.render.layout import Layout
+from game.render.text import Type
 from game.render.theme import ACCENT, LILAC, WHITE, BallLook, Colour
 
 FADE = 0.75
 """Metres over which the object ball's path fades away."""
+TAG = 16
+"""How far left of and above a trace's beginning its letter stands, px at s = 1."""
 Rects = list[pygame.Rect]
 
 
@@ -200,6 +204,7 @@ def _traces(
     log, s = game.world.log, layout.s
     now = known(game)
     rects: Rects = []
+    lettered = any(look.dashes for look in looks)
     for name in game.traced:
         look = looks[_index(game, name)]
         points = path(log, name, game.began, now)
@@ -208,10 +213,18 @@ def _traces(
             rects.append(lines.trace(surface, shown, look.ui, s, dashes=look.dashes))
             radius = game.world.ball(name).radius * layout.scale
             rects.append(lines.ring(surface, shown[0], radius, look.ui, 1.3 * s, 0.8))
+            if lettered:
+                at = shown[0][0] - TAG * s, shown[0][1] - TAG * s
+                rects.append(cards.tag(surface, at, _type(s), look.ui, look.letter))
         if game.head.at is not None:
             ahead = _screen(layout, path(log, name, now, game.world.time))
             rects.append(lines.polyline(surface, ahead, look.ui, 1.3 * s, 0.26))
     return rects + _hits(surface, layout, game, looks, now)
+
+
+@lru_cache(maxsize=4)
+def _type(s: float) -> Type:
+    return Type(s)
 
 
 def _hits(

@@ -148,7 +148,8 @@ def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygam
         rows = _with_second(rows, log_rows(sight.game, other, hit="event.hit"))
         title += " · " + other["events"]
     current, top = _log_place(sight, rect)
-    cards.log(surface, rect, sight.type, title, rows, current, first=top)
+    letters = sight.settings.colours == "safe"
+    cards.log(surface, rect, sight.type, title, rows, current, letters, first=top)
     at = (rect.right - 12 * sight.layout.s, rect.y + 23 * sight.layout.s)
     sight.type.draw(surface, sight.words["events.both"], at, 12, TEXT_SOFT, "right")
     return rect
