@@ -26,7 +26,7 @@ from game.match.stroke import stroke
 from game.setup import size
 
 DOCS = Path(__file__).parent.parent / "docs"
-FPS, AIMING, AFTER, VERDICT = 20, 1.3, 0.5, 1.4
+FPS, AIMING, AFTER, VERDICT = 20, 1.1, 0.3, 1.2
 """Frames a second, and seconds: of aiming, after the second ball, and of the verdict."""
 SIZE, QUALITY = (800, 450), 62
 KEY, BESIDE = "around", 7.0
