@@ -73,7 +73,8 @@ def test_a_world_that_was_loaded_goes_on_in_the_same_bits(build, engine):
         assert state(loaded) == state(world)
         kept = world.copy()
         for w in (kept, loaded):
-            w.run(until=w.time + (0.1 if build is crowd else 1.0))  # 40 balls in located steps: 15 s
+            # 40 balls in located steps take 15 s
+            w.run(until=w.time + (0.1 if build is crowd else 1.0))
         assert loaded.time == kept.time
         assert state(loaded) == state(kept)
         assert loaded.log.at(loaded.time) == kept.log.at(kept.time)
