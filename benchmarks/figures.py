@@ -1,14 +1,13 @@
 """The plots: one style, colours that the colour-blind can tell apart, a marker a method."""
 
+import csv
 from pathlib import Path
-from statistics import median, quantiles
 from typing import TYPE_CHECKING, Any
 
 from .report import duration
 
 if TYPE_CHECKING:
     from .scale import Size
-    from .work_precision import Exact, Setting
 
 # Okabe and Ito's palette
 BLUE, SKY, GREEN = "#0072B2", "#56B4E9", "#009E73"
@@ -55,71 +54,62 @@ def save(figure: Any, out: Path, name: str) -> None:
     small.save(path, optimize=True)
 
 
-def _cloud(axes: Any, settings: "list[Setting]", method: str) -> None:
+Row = dict[str, str]
+
+
+def _cloud(axes: Any, rows: list[Row], method: str) -> None:
     """Median error over the least time, with the middle half of the step sizes as a band."""
-    mine = [s for s in settings if s.method == method]
-    if not mine:
-        return
+    mine = [row for row in rows if row["method"] == method]
     colour, marker = METHODS[method]
-    times = [min(s.times) for s in mine]
-    cuts = [quantiles(s.errors[-1], n=4) for s in mine]
-    axes.fill_between(
-        times, [c[0] for c in cuts], [c[2] for c in cuts], color=colour, alpha=0.18, lw=0
+    low, middle, high, times = (
+        [float(row[name]) for row in mine]
+        for name in ("its lower quartile", "error at rest m", "its upper quartile", "cpu s")
     )
-    axes.plot(
-        times,
-        [median(s.errors[-1]) for s in mine],
-        color=colour,
-        marker=marker,
-        ms=4.5,
-        lw=1.3,
-        label=method,
-    )
+    axes.fill_between(times, low, high, color=colour, alpha=0.18, lw=0)
+    axes.plot(times, middle, color=colour, marker=marker, ms=4.5, lw=1.3, label=method)
 
 
-def _panel(axes: Any, exact: "Exact", settings: "list[Setting]") -> None:
+def _panel(axes: Any, scene: str, rows: list[Row]) -> None:
     for method in METHODS:
-        _cloud(axes, [s for s in settings if s.scene == exact.scene], method)
-    for (way, (colour, marker)), time in zip(
-        EXACT.items(), (exact.interpreted, exact.compiled), strict=True
-    ):
+        _cloud(axes, rows, method)
+    for way, (colour, marker) in EXACT.items():
+        mine = next(row for row in rows if row["method"] == f"exact, {way}")
         axes.plot(
-            [time], [exact.errors[-1]], color=colour, marker=marker, ms=11, lw=0, mec="white",
-            mew=0.6, label=f"exact, {way}",
+            [float(mine["cpu s"])], [float(mine["error at rest m"])], color=colour, marker=marker,
+            ms=11, lw=0, mec="white", mew=0.6, label=f"exact, {way}",
         )  # fmt: skip
-    axes.set(xscale="log", yscale="log", title=exact.scene, ylim=(1e-16, 10), xlim=(1e-6, 100))
+    axes.set(xscale="log", yscale="log", title=scene, ylim=(1e-16, 10), xlim=(1.5e-7, 100))
     axes.set_xticks([1e-6, 1e-4, 1e-2, 1], ["1 µs", "100 µs", "10 ms", "1 s"])
     lengths = ["1 fm", "1 pm", "1 nm", "1 µm", "1 mm", "1 m"]
     axes.set_yticks([1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1], lengths)
     axes.minorticks_off()
 
 
-def work_precision(exacts: "list[Exact]", settings: "list[Setting]", out: Path) -> None:
-    """All scenes in one picture, and the two of the README in another."""
-    for name, chosen, columns in (
-        ("work-precision", exacts, 4),
-        ("fast-accurate", [e for e in exacts if e.scene in ("single ball", "carom shot")], 2),
-    ):
-        if chosen:
-            _work_precision(name, chosen, settings, columns, out)
+def work_precision(out: Path) -> None:
+    """From work-precision.csv: all scenes in one picture, and the two of the README in another."""
+    with (out / "work-precision.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    scenes = list(dict.fromkeys(row["scene"] for row in rows))
+    _work_precision("work-precision", scenes, rows, 4, out)
+    readme = [scene for scene in scenes if scene in ("single ball", "carom shot")]
+    if readme:
+        _work_precision("fast-accurate", readme, rows, 2, out)
 
 
-def _work_precision(
-    name: str, exacts: "list[Exact]", settings: "list[Setting]", columns: int, out: Path
-) -> None:
-    columns = min(columns, len(exacts) + (len(exacts) > columns))
-    rows = -(-len(exacts) // columns)
+def _work_precision(name: str, scenes: list[str], rows: list[Row], columns: int, out: Path) -> None:
+    columns = min(columns, len(scenes) + (len(scenes) > columns))
+    lines = -(-len(scenes) // columns)
     figure, grid = pyplot().subplots(
-        rows, columns, figsize=(3.2 * columns + 2.0 * (rows == 1), 2.9 * rows + 0.3), sharex=True,
-        sharey=True, squeeze=False, layout="constrained",
+        lines, columns, figsize=(3.2 * columns + 2.0 * (lines == 1), 2.9 * lines + 0.3),
+        sharex=True, sharey=True, squeeze=False, layout="constrained",
     )  # fmt: skip
     panels = list(grid.flat)
-    for axes, exact in zip(panels, exacts, strict=False):
-        _panel(axes, exact, settings)
-    for axes in panels[len(exacts) :]:
+    for axes, scene in zip(panels, scenes, strict=False):
+        _panel(axes, scene, [row for row in rows if row["scene"] == scene])
+    for axes in panels[len(scenes) :]:
         axes.set_axis_off()
     handles, labels = panels[0].get_legend_handles_labels()
-    if len(panels) > len(exacts):
+    if len(panels) > len(scenes):
         panels[-1].legend(handles, labels, loc="center left")
         panels[-1 - columns].tick_params(labelbottom=True)
     else:

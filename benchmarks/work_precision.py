@@ -244,7 +244,7 @@ def keep(page: Report, exacts: list[Exact], settings: list[Setting]) -> None:
         rows.append([e.scene, "exact, interpreted", "", "", 1, e.interpreted, *e.errors, "", ""])
         rows.append([e.scene, "exact, compiled", "", "", 1, e.compiled, *e.errors, "", ""])
     for s in settings:
-        spread = quantiles(s.errors[-1], n=4) if len(s.errors[-1]) > 1 else [nan] * 3
+        spread = quantiles(s.errors[-1] * 2, n=4, method="inclusive")  # twice: one will do
         middles = [median(errors) for errors in s.errors]
         rows.append(
             [s.scene, s.method, s.substeps, median(s.steps), len(s.steps), min(s.times), *middles,
@@ -272,6 +272,6 @@ def main(arguments: list[str] | None = None) -> int:
     keep(page, exacts, settings)
     from .figures import work_precision
 
-    work_precision(exacts, settings, options.out)
+    work_precision(options.out)
     page.save()
     return 0
