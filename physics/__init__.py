@@ -1,6 +1,5 @@
 """Billiards, exact: balls, walls and laws on a cloth; `docs/tour.py` shows it in a page."""
 
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from . import laws
@@ -32,6 +31,8 @@ HOMES = {
 
 
 def __getattr__(name: str) -> Any:
+    from importlib import import_module
+
     if name in MODULES:
         return import_module(f".{name}", __name__)
     if name in HOMES:

@@ -13,7 +13,6 @@ from .kernel.motion import RESTING, carry, length
 from .log import Log
 from .shot import Shot
 from .wall import Wall
-from .watch import BallWatch, CushionWatch, undone
 
 OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
 FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
@@ -170,8 +169,12 @@ class World:
         ball = laws.ball_rule(self._ball_law, vmin)
         cushion = laws.cushion_rule(self._cushion_law, vmin)
         if isinstance(ball, laws.ForeignRule):
+            from .watch import BallWatch
+
             ball.function = BallWatch(ball.function, self._balls, self._told, vmin)
         if isinstance(cushion, laws.ForeignRule):
+            from .watch import CushionWatch
+
             cushion.function = CushionWatch(cushion.function, self._balls, self._told, vmin)
         self._watched = any(isinstance(rule, laws.ForeignRule) for rule in (ball, cushion))
         return ball, cushion
@@ -232,6 +235,8 @@ class World:
         """Let dt seconds pass; n steps of dt / n lead to the same rest, bit for bit, for any n."""
         nonnegative("World.step dt", dt)
         if self._watched:
+            from .watch import undone
+
             with undone(self):
                 self._step(dt)
         else:
@@ -253,6 +258,8 @@ class World:
         if until < self.time:
             raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
         if self._watched:
+            from .watch import undone
+
             with undone(self):
                 self._run(until)
         else:
