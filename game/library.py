@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
-import tempfile
 from pathlib import Path
 
+from . import files
 from .lineup import LineError, Lineup, read
 
 FORMAT, VERSION = "danggu set-ups", 1
@@ -92,21 +91,7 @@ class Library:
         try:
             file = self._file()
             file.parent.mkdir(parents=True, exist_ok=True)
-            _replace(file, json.dumps(document, indent=1, ensure_ascii=False) + "\n")
+            files.write(file, json.dumps(document, indent=1, ensure_ascii=False) + "\n")
         except OSError:
             return False
         return True
-
-
-def _replace(path: Path, text: str) -> None:
-    """Put a new file in the place of an old one, all of it or nothing."""
-    number, temporary = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".tmp")
-    try:
-        with open(number, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, path)
-    except OSError:
-        Path(temporary).unlink(missing_ok=True)
-        raise

@@ -6,13 +6,12 @@ import json
 import locale
 import os
 import shutil
-import tempfile
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import setup
+from . import files, setup
 from .text import LANGUAGES
 
 if TYPE_CHECKING:
@@ -166,7 +165,7 @@ class Store:
             return True
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
-            _write(self.path, text)
+            files.write(self.path, text)
         except OSError:
             return False
         self._text = text
@@ -182,17 +181,3 @@ class Store:
 def _text(settings: Settings) -> str:
     document = {"format": FORMAT, "version": VERSION, **asdict(settings)}
     return json.dumps(document, indent=1, ensure_ascii=False) + "\n"
-
-
-def _write(path: Path, text: str) -> None:
-    """Replace a file by another one, so that whoever reads finds the old one or the new one."""
-    number, temporary = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".tmp")
-    try:
-        with open(number, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(temporary, path)
-    except OSError:
-        Path(temporary).unlink(missing_ok=True)
-        raise
