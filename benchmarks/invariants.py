@@ -186,13 +186,17 @@ def _jump_faults(world: World, parts: list[Legs], times: Any, epoch: float) -> l
         | (several & (twist > TOUCHING))
     )
     odd[0] = False  # the epoch begins
-    if not odd.any():
-        return []
+    return _named(world, np.nonzero(odd)[0], times, epoch, (step, gain, drift, twist))
+
+
+def _named(world: World, odd: Any, times: Any, epoch: float, faults: tuple[Any, ...]) -> list[str]:
+    """What is wrong at the odd instants, given what happened there; the first three of it."""
+    step, gain, drift, twist = faults
     happened: dict[float, list[Any]] = {}
-    for event in world.log:
+    for event in world.log if len(odd) else ():
         happened.setdefault(event.time, []).append(event)
     found = []
-    for k in np.nonzero(odd)[0]:
+    for k in odd:
         events = happened.get(epoch + float(times[k]), [])  # none if somebody pushed
         kinds = {event.kind for event in events}
         bound = sum(
