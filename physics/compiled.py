@@ -1,7 +1,7 @@
 """The kernel compiled by numba, from the same source, beside the interpreted one in one process.
 
 numba's cache does not see that another file has changed: so the cache folder carries a hash of
-them all.
+them all, and of where and how old they are.
 """
 
 import hashlib
