@@ -15,7 +15,7 @@ from types import ModuleType
 from typing import Any
 
 from .binding import FOLDER, load
-from .kernel.body import Line, Scene, rows, ties
+from .kernel.body import Line, Scene, Seat, Tie, rows, ties
 
 log = logging.getLogger("physics")
 _lock = Lock()  # threads may ask at once
@@ -39,47 +39,32 @@ def cache_folder() -> Path:
     return Path(home) / "danggu" / f"kernel-{key}"
 
 
-def _lend() -> Any:
-    """For compiled code: the same scene in arrays that nobody counts references to.
-
-    Every function that is handed a scene counts two for each of its two dozen arrays, which took a
-    third of the time of a batch. Whoever called holds the arrays anyway.
-    """
-    from numba.core import cgutils
-    from numba.core.types.containers import BaseTuple
-    from numba.core.types.npytypes import Array
-    from numba.extending import intrinsic
-
-    def bare(context: Any, builder: Any, kind: Any, value: Any) -> Any:
-        if isinstance(kind, BaseTuple):
-            for k, part in enumerate(kind):
-                item = bare(context, builder, part, builder.extract_value(value, k))
-                value = builder.insert_value(value, item, k)
-            return value
-        if not isinstance(kind, Array):
-            return value
-        array = context.make_array(kind)(context, builder, value)
-        array.meminfo = cgutils.get_null_value(array.meminfo.type)
-        return array._getvalue()
-
-    def lend(_: Any, kind: Any) -> Any:
-        return kind(kind), lambda context, builder, _, values: bare(context, builder, kind, *values)
-
-    return intrinsic(lend)
+def _no_door(function: Any, *_: Any) -> None:
+    raise TypeError(f"only compiled code can call {function.__name__}; physics.kernel has it too")
 
 
 def _subset() -> ModuleType:
     from numba import njit
+    from numba.core.registry import CPUDispatcher
 
-    def kernel(function: Any, inline: str = "never") -> Any:
-        return njit(cache=True, nogil=True, error_model="numpy", inline=inline)(function)
+    # nothing here allocates, so nothing need count references, of which a scene has many
+    bare = partial(njit, nogil=True, error_model="numpy", _nrt=False, no_cfunc_wrapper=True)
+    whole = bare(cache=True, inline="always")
+
+    inner = type("Inner", (CPUDispatcher,), {"__call__": _no_door})  # which would crash
+
+    def kernel(function: Any) -> Any:
+        """Called by compiled code alone: without a door for Python, and a file of its own."""
+        compiled = bare(function, no_cpython_wrapper=True)
+        compiled.__class__ = inner
+        return compiled
 
     subset = ModuleType(f"{NAME}.subset")
     vars(subset).update(
-        kernel=kernel, inlined=partial(kernel, inline="always"), lend=_lend(),
+        kernel=kernel, whole=whole,
         inf=inf, sqrt=sqrt, exp=exp, complex=complex,
-        foreign_cushion=njit(nogil=True)(lambda v, roll, side, rule: (v, roll, side)),
-        foreign_ball=njit(nogil=True)(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
+        foreign_cushion=kernel(lambda v, roll, side, rule: (v, roll, side)),
+        foreign_ball=kernel(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
     )  # fmt: skip
     return subset
 
@@ -96,7 +81,7 @@ def _kernel() -> ModuleType:
 
     folder, before = cache_folder(), config.CACHE_DIR
     if not folder.exists():
-        log.warning("compiling the kernel for %s, this once: it takes 10 to 30 seconds", folder)
+        log.warning("compiling the kernel for %s, this once: it takes about 10 seconds", folder)
     config.CACHE_DIR = str(folder)
     try:
         return load(NAME, _subset())
@@ -104,27 +89,25 @@ def _kernel() -> ModuleType:
         config.CACHE_DIR = before
 
 
+def records(items: list[Any], kind: Any) -> Any:
+    """Rows, even of none: `kind` is one such record."""
+    return rows(items or [kind])[: len(items)]
+
+
 def packed(scene: Scene) -> Any:
     """The same scene in arrays, with room of its own, for the compiled kernel."""
     import numpy as np
-
-    def column(items: list[Any], kind: type = float) -> Any:
-        return np.array(items, type(items[0]) if items else kind)
 
     body, cells = kernel().body, scene.grid
     felt, *rules = (
         rows([record])[0] for record in (scene.cloth, scene.ball_rule, scene.cushion_rule)
     )
-    walls = rows(scene.walls or [Line(0j, 0.0, 0j)])[: len(scene.walls)]
-    room = body.Ties(*(column(items) for items in ties(len(scene.balls))))
-    lists = (column(items, float if items is cells.cross else int) for items in cells[5:])
-    return body.Scene(
-        rows(scene.balls),
-        column(scene.meetings),
-        walls,
-        felt,
-        *rules,
-        room,
-        scene.celled,
-        body.Grid(*cells[:5], *lists),
+    member, contacts, chosen = ties(len(scene.balls))
+    room = body.Ties(np.array(member), records(contacts, Tie()), np.array(chosen, int))
+    head, seats, tree, near = cells[5:]
+    grid = body.Grid(
+        *cells[:5], np.array(head, int), records(seats, Seat()), np.array(tree, int), np.array(near)
     )
+    walls = records(scene.walls, Line(0j, 0.0, 0j))
+    meetings = np.array(scene.meetings, float)
+    return body.Scene(rows(scene.balls), meetings, walls, felt, *rules, room, scene.celled, grid)

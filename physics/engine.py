@@ -112,13 +112,9 @@ def _scene(world: "World", budget: int) -> Any:
 
 
 def _note_cluster(world: "World", time: float, contacts: int) -> None:
-    ties = world.scene.ties
-    pairs = [
-        (ties.first[c], ties.second[c], ties.total[c])
-        for c in range(contacts)
-        if ties.total[c] > 0.0
-    ]
-    members = sorted({ball for c in range(contacts) for ball in (ties.first[c], ties.second[c])})
+    ties = world.scene.ties.contacts[:contacts]
+    pairs = [(tie.first, tie.second, tie.total) for tie in ties if tie.total > 0.0]
+    members = sorted({ball for tie in ties for ball in (tie.first, tie.second)})
     for i in members:
         world.log.begin(i, world.epoch, world.scene.balls[i], world.scene.cloth.fade)
     world.log.note_cluster(world.epoch, time, pairs, members)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from math import inf, log1p
 from typing import TYPE_CHECKING, Any
 
-from .kernel.body import Body, Scene
+from .kernel.body import Body, Scene, Tie
 from .kernel.calendar import CLUSTER, NOTHING, plan_meetings, start_leg
 from .kernel.calendar import happen as happen_quickly
 from .kernel.cluster import AGREES, SWEEPS, closing_speed, relax_rub, slip_between
@@ -99,23 +99,24 @@ def _restitution(law: "HertzCluster", rule: Any) -> float:
 
 def _apply(contacts: Contacts, pushes: Sequence[float], scene: Scene) -> None:
     """The pushes, then the rubs; and a note of them where the engine looks for it."""
-    balls, ties, n = scene.balls, scene.ties, len(contacts)
-    ties.first[:n], ties.second[:n] = [a for a, _ in contacts], [b for _, b in contacts]
-    ties.total[:n] = ties.push[:n] = pushes
-    for (a, b), push in zip(contacts, pushes, strict=True):
-        press(balls[a], balls[b], toward(balls[a], balls[b]), push, 0j)
+    balls, ties = scene.balls, scene.ties.contacts[: len(contacts)]
+    for tie, (first, second), push in zip(ties, contacts, pushes, strict=True):
+        tie.first, tie.second, tie.total, tie.push = first, second, push, push
+        a, b = balls[first], balls[second]
+        press(a, b, toward(a, b), push, 0j)
     if scene.ball_rule.kind in (ROUGH_BALL, ALCIATORE_BALL):
-        _rub([(balls[a], balls[b]) for a, b in contacts], scene)
+        _rub(ties, scene)
 
 
-def _rub(pairs: Sequence[tuple[Body, Body]], scene: Scene) -> None:
+def _rub(ties: Sequence[Tie], scene: Scene) -> None:
     """Of all rubs that friction can hold, those that leave the least energy: contact by contact."""
-    ties, n = scene.ties, len(pairs)
-    slips = [slip_between(a, b, toward(a, b)) for a, b in pairs]
-    ties.grip[:n], ties.rub[:n] = [grip(slip, scene.ball_rule) for slip in slips], [0j] * n
-    least = AGREES * max(length(ball.velocity) for pair in pairs for ball in pair)
+    balls, fastest = scene.balls, 0.0
+    for tie in ties:
+        a, b = balls[tie.first], balls[tie.second]
+        tie.grip, tie.rub = grip(slip_between(a, b, toward(a, b)), scene.ball_rule), 0j
+        fastest = max(fastest, length(a.velocity), length(b.velocity))
     for _ in range(SWEEPS):
-        if max([relax_rub(c, scene.balls, ties) for c in range(n)]) <= least:
+        if max([relax_rub(tie, balls) for tie in ties]) <= AGREES * fastest:
             return
 
 

@@ -222,8 +222,8 @@ class _Replay:
             if self.cluster_law is not None:
                 raise ValueError(f"sensitivity knows no derivatives of {self.cluster_law!r}")
             ties = self.kernel.body.ties(len(balls))
-            for c, (first, second) in enumerate(pairs):
-                ties.first[c], ties.second[c] = first, second
+            for tie, pair in zip(ties.contacts, pairs, strict=False):
+                tie.first, tie.second = pair
             self.kernel.cluster.collide(len(pairs), balls, scene.ball_rule, ties)
 
     def rest(self) -> Array:

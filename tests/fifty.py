@@ -25,7 +25,7 @@ def kernel() -> ModuleType:
     vars(subset).update(
         kernel=lambda function: function, inf=mpmath.inf, sqrt=mpmath.sqrt, exp=mpmath.exp,
         complex=mpmath.mpc, foreign_ball=_foreign, foreign_cushion=_foreign,
-        lend=lambda scene: scene, inlined=lambda function: function,
+        whole=lambda function: function,
     )  # fmt: skip
     package: Any = load("physics.fifty_digit_kernel", subset)
     package.contact.NEAR = mpmath.mpf("1e-26")  # the gap left behind is its square

@@ -255,12 +255,23 @@ def test_a_nan_ends_the_hit_instead_of_never():
 
 
 def test_the_compiled_law_gives_the_same_bits():
-    pytest.importorskip("numba")
+    numba = pytest.importorskip("numba")
     from physics import compiled
     from physics.kernel.body import rows
 
     package = compiled.kernel().__name__
     law = importlib.import_module(f"{package}.mathavan").mathavan_cushion
     record = rows([MATCH])[0]
+    hit = numba.njit(lambda v, roll, side, rule: law(v, roll, side, rule))
     for state in random_states(300, 8):
-        assert law(*state, record) == mathavan_cushion(*state, MATCH)
+        assert hit(*state, record) == mathavan_cushion(*state, MATCH)
+
+
+def test_what_compiled_code_alone_can_call_says_so():
+    pytest.importorskip("numba")
+    from physics import compiled
+
+    package = compiled.kernel().__name__
+    length = importlib.import_module(f"{package}.motion").length
+    with pytest.raises(TypeError, match="only compiled code can call length"):
+        length(3 + 4j)

@@ -74,18 +74,42 @@ class Rule:
     parting: float = 1e-3  # m/s: the least speed at which what touched parts
 
 
-class Ties(NamedTuple):
-    """Room for the contacts of a cluster: lists when interpreted, arrays when compiled."""
+@dataclass(slots=True, eq=False)
+class Tie:
+    """One contact of a cluster."""
 
-    member: Any
-    first: Any
-    second: Any
-    chosen: Any
-    target: Any
-    grip: Any
-    push: Any
-    rub: Any
-    total: Any
+    first: int = 0  # the ball it is between
+    second: int = 0  # and the other
+    target: float = 0.0  # the speed at which it closes, then at which it shall part
+    grip: float = 0.0  # the coefficient of friction
+    push: float = 0.0  # in this round
+    rub: complex = 0j
+    total: float = 0.0  # of all pushes
+
+
+@dataclass(slots=True, eq=False)
+class Seat:
+    """A ball's place in the cells: its cell, its neighbours on the cell's list, its way out."""
+
+    after: int = -1
+    before: int = -1
+    column: int = -1
+    row: int = -1
+    cross: float = inf  # when the ball leaves its cell
+    edge: int = 0  # and over which edge
+    turn: int = 0  # how many legs the ball has begun
+    promise: int = 0  # what that was for its partner when their meeting was foreseen
+
+
+_places = attrgetter(*Seat.__slots__)
+
+
+class Ties(NamedTuple):
+    """Room for a cluster: lists when interpreted, arrays when compiled."""
+
+    member: Any  # which balls
+    contacts: Any
+    chosen: Any  # which contacts are solved together
 
 
 class Grid(NamedTuple):
@@ -97,14 +121,7 @@ class Grid(NamedTuple):
     columns: int
     rows: int
     head: Any  # of every cell's list
-    after: Any  # of every ball in its list
-    before: Any
-    column: Any
-    row: Any
-    cross: Any  # when the ball leaves its cell
-    edge: Any  # and over which edge
-    turn: Any  # how many legs the ball has begun
-    promise: Any  # what that was for its partner when their meeting was foreseen
+    seats: Any  # of the balls
     tree: Any  # the tournament of next events
     near: Any  # room for a list of neighbours
 
@@ -125,16 +142,13 @@ class Scene(NamedTuple):
 
 def ties(balls: int) -> Ties:
     """Room for as many contacts as discs on a table can have: three a ball."""
-    pairs = 3 * balls
-    whole, real = [0] * pairs, [0.0] * pairs
-    return Ties(
-        [0] * balls, whole, whole[:], whole[:], real, real[:], real[:], [0j] * pairs, real[:]
-    )
+    pairs = min(3 * balls, balls * (balls - 1) // 2)
+    return Ties([0] * balls, [Tie() for _ in range(pairs)], [0] * pairs)
 
 
 def no_grid(balls: int) -> Grid:
     """No cells: everybody is near."""
-    return Grid(1.0, 0.0, 0.0, 0, 0, [], [], [], [], [], [], [], [], [], [], [0] * balls)
+    return Grid(1.0, 0.0, 0.0, 0, 0, [], [], [], [0] * balls)
 
 
 def grid(spots: Sequence[complex], radius: float) -> Grid:
@@ -150,16 +164,14 @@ def grid(spots: Sequence[complex], radius: float) -> Grid:
     tree = [-1] * leaves + list(range(n)) + [-1] * (leaves - n)
     for node in range(leaves - 1, 0, -1):
         tree[node] = tree[2 * node]
-    nobody, zero = [-1] * n, [0] * n
-    return Grid(
-        size, west, south, columns, lines, [-1] * (columns * lines), nobody, nobody[:], nobody[:],
-        nobody[:], [inf] * n, zero, zero[:], zero[:], tree, zero[:],
-    )  # fmt: skip
+    seats = [Seat() for _ in spots]
+    return Grid(size, west, south, columns, lines, [-1] * (columns * lines), seats, tree, [0] * n)
 
 
 def twin_grid(grid: Grid) -> Grid:
     """The same cells once more."""
-    return Grid(*grid[:5], *(column[:] for column in grid[5:]))
+    seats = [Seat(*_places(seat)) for seat in grid.seats]
+    return grid._replace(head=grid.head[:], seats=seats, tree=grid.tree[:], near=grid.near[:])
 
 
 def rows(items: Sequence[Any]) -> Any:

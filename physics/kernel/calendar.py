@@ -5,7 +5,7 @@ from .contact import first_fall, meeting
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .laws import hit_ball, hit_wall
 from .motion import RESTING, carry, length, motion, settle, swept
-from .subset import complex, inf, inlined, kernel, lend
+from .subset import complex, inf, kernel, whole
 
 PHASE_ENDS = -1
 INSTANT = 1e-12  # s: a leg that short goes nowhere
@@ -63,7 +63,7 @@ def start_leg(i, scene):
     ball = scene.balls[i]
     plan_leg(ball, scene.walls, scene.cloth)
     if scene.celled:
-        scene.grid.turn[i] += 1
+        scene.grid.seats[i].turn += 1
         plan_crossing(i, ball, ball.since, scene.grid)
 
 
@@ -122,7 +122,7 @@ def appoint(j, i, when, balls, meetings):
     ball.next = ball.meets if ball.meets < ball.leg_end else ball.leg_end
 
 
-@inlined
+@whole
 def plan(scene):
     """Start afresh from balls that somebody has put there."""
     balls, meetings, grid = scene.balls, scene.meetings, scene.grid
@@ -160,7 +160,7 @@ def earliest(balls):
     return first
 
 
-@inlined
+@whole
 def happen(i, scene):
     """The next event of ball i; all that it touched is planned anew.
 
@@ -217,7 +217,7 @@ def release(ball, walls, parting):
     ball.trapped = 0
 
 
-@inlined
+@whole
 def meet(i, j, time, scene):
     """Two balls touch, and perhaps others with them."""
     balls = scene.balls
@@ -256,12 +256,12 @@ def blows(contacts, ties):
     """How many events a cluster was: every contact that passed an impulse is one."""
     count = 0
     for c in range(contacts):
-        if ties.total[c] > 0.0:
+        if ties.contacts[c].total > 0.0:
             count += 1
     return count
 
 
-@inlined
+@whole
 def advance(until, budget, scene):
     """Everything that happens up to `until`: (how much it was, when the last of it was)."""
     balls = scene.balls
@@ -280,10 +280,9 @@ def advance(until, budget, scene):
     return events, last
 
 
-@kernel
+@whole
 def many(starts, rests, times, counts, budget, scene):
     """Shot after shot, each to rest: `starts` (shots, balls, 7), `rests` (shots, balls, 2)."""
-    scene = lend(scene)
     balls = scene.balls
     for s in range(len(starts)):
         for i in range(len(balls)):

@@ -69,9 +69,9 @@ def third(a, i, j, time, balls, grid):
 def gather(i, j, time, scene):
     """All that hangs together with balls i and j: how many balls, in ties.member, and contacts."""
     balls, ties, grid = scene.balls, scene.ties, scene.grid
-    member, first, second = ties.member, ties.first, ties.second
+    member = ties.member
     member[0], member[1] = i, j
-    first[0], second[0] = i, j
+    join(i, j, ties.contacts[0])
     members, contacts, m = 2, 1, 0
     while m < members:
         a = member[m]
@@ -87,10 +87,15 @@ def gather(i, j, time, scene):
                 member[members] = k
                 members += 1
             if at > m:
-                first[contacts], second[contacts] = a, k
+                join(a, k, ties.contacts[contacts])
                 contacts += 1
         m += 1
     return members, contacts
+
+
+@kernel
+def join(i, j, tie):
+    tie.first, tie.second, tie.total = i, j, 0.0
 
 
 @kernel
@@ -103,12 +108,14 @@ def choose(contacts, balls, ties):
     """Put the contacts that close fastest into ties.chosen; returns how many."""
     fastest = 0.0
     for c in range(contacts):
-        ties.target[c] = closing_speed(balls[ties.first[c]], balls[ties.second[c]])
-        if ties.target[c] > fastest:
-            fastest = ties.target[c]
+        tie = ties.contacts[c]
+        tie.target = closing_speed(balls[tie.first], balls[tie.second])
+        if tie.target > fastest:
+            fastest = tie.target
     chosen = 0
     for c in range(contacts):
-        if ties.target[c] > 0.0 and ties.target[c] >= (1.0 - TIED) * fastest:
+        target = ties.contacts[c].target
+        if target > 0.0 and target >= (1.0 - TIED) * fastest:
             ties.chosen[chosen] = c
             chosen += 1
     return chosen
@@ -117,20 +124,19 @@ def choose(contacts, balls, ties):
 @kernel
 def collide(contacts, balls, rule, ties):
     """Blow after blow until no contact closes; the pushes add up in ties.total."""
-    for c in range(contacts):
-        ties.total[c] = 0.0
-    a, b = balls[ties.first[0]], balls[ties.second[0]]
+    tie = ties.contacts[0]
+    a, b = balls[tie.first], balls[tie.second]
     if closing_speed(a, b) < NOISE:  # it grazed, or something drives it
-        ties.total[0] = hit_ball(a, b, rule)
+        tie.total = hit_ball(a, b, rule)
     for _ in range(ROUNDS * contacts):
         chosen = choose(contacts, balls, ties)
         if chosen == 0:
             return
-        alone = chosen == 1 and ties.target[ties.chosen[0]] >= NOISE
+        alone = chosen == 1 and ties.contacts[ties.chosen[0]].target >= NOISE
         if alone or rule.kind == THESIS_BALL or rule.kind == FOREIGN_BALL:
             for k in range(chosen):
-                c = ties.chosen[k]
-                ties.total[c] += hit_ball(balls[ties.first[c]], balls[ties.second[c]], rule)
+                tie = ties.contacts[ties.chosen[k]]
+                tie.total += hit_ball(balls[tie.first], balls[tie.second], rule)
         else:
             together(chosen, balls, rule, ties)
 
@@ -140,30 +146,30 @@ def together(chosen, balls, rule, ties):
     """Impulses that make every chosen contact part as its law wants, none of them a pull."""
     fastest = 0.0
     for k in range(chosen):
-        c = ties.chosen[k]
-        a, b = balls[ties.first[c]], balls[ties.second[c]]
-        closing = ties.target[c]
+        tie = ties.contacts[ties.chosen[k]]
+        a, b = balls[tie.first], balls[tie.second]
+        closing = tie.target
         fastest = max(fastest, length(a.velocity), length(b.velocity))
         # what closes by rounding alone, as in a chain that passed a blow on, is not thrown apart
-        ties.target[c] = rebound(closing, rule) - closing if closing >= NOISE else 2.0 * closing
-        ties.grip[c] = grip(slip_between(a, b, toward(a, b)), rule)
-        ties.push[c] = 0.0
-        ties.rub[c] = 0j
+        tie.target = rebound(closing, rule) - closing if closing >= NOISE else 2.0 * closing
+        tie.grip = grip(slip_between(a, b, toward(a, b)), rule)
+        tie.push, tie.rub = 0.0, 0j
     for _ in range(SWEEPS):
         change = 0.0
         for k in range(chosen):
-            change = max(change, relax_push(ties.chosen[k], balls, ties))
+            change = max(change, relax_push(ties.contacts[ties.chosen[k]], balls))
         if change <= AGREES * fastest:
             break
     if rule.kind != SMOOTH_BALL:
         for _ in range(SWEEPS):
             change = 0.0
             for k in range(chosen):
-                change = max(change, relax_rub(ties.chosen[k], balls, ties))
+                change = max(change, relax_rub(ties.contacts[ties.chosen[k]], balls))
             if change <= AGREES * fastest:
                 break
     for k in range(chosen):
-        ties.total[ties.chosen[k]] += ties.push[ties.chosen[k]]
+        tie = ties.contacts[ties.chosen[k]]
+        tie.total += tie.push
 
 
 @kernel
@@ -175,31 +181,31 @@ def slip_between(a, b, line):
 
 
 @kernel
-def relax_push(c, balls, ties):
+def relax_push(tie, balls):
     """Make one contact part as it should, given what the others did; returns by how much, m/s."""
-    a, b = balls[ties.first[c]], balls[ties.second[c]]
+    a, b = balls[tie.first], balls[tie.second]
     line = toward(a, b)
     mass = a.mass * b.mass / (a.mass + b.mass)
     closing = (line.conjugate() * (a.velocity - b.velocity)).real
-    push = max(0.0, ties.push[c] + mass * (closing + ties.target[c]))
-    more = push - ties.push[c]
+    push = max(0.0, tie.push + mass * (closing + tie.target))
+    more = push - tie.push
     press(a, b, line, more, 0j)
-    ties.push[c] = push
+    tie.push = push
     return abs(more) / mass
 
 
 @kernel
-def relax_rub(c, balls, ties):
+def relax_rub(tie, balls):
     """Take as much slip from one contact as its push allows; returns by how much, m/s.
 
     The pushes stand by now, so rubs only take energy: pushes that answer to rubs would make it.
     """
-    a, b = balls[ties.first[c]], balls[ties.second[c]]
+    a, b = balls[tie.first], balls[tie.second]
     line = toward(a, b)
     yielding = 3.5 * (a.mass + b.mass) / (a.mass * b.mass)
-    wish = slip_between(a, b, line) - yielding * ties.rub[c]
-    rub = friction(wish, ties.grip[c] * ties.push[c], yielding)
-    change = rub - ties.rub[c]
+    wish = slip_between(a, b, line) - yielding * tie.rub
+    rub = friction(wish, tie.grip * tie.push, yielding)
+    change = rub - tie.rub
     press(a, b, line, 0.0, change)
-    ties.rub[c] = rub
+    tie.rub = rub
     return length(change) * yielding

@@ -24,7 +24,7 @@ def neighbours(i, balls, grid):
                 grid.near[count] = k
                 count += 1
         return count
-    column, row = grid.column[i], grid.row[i]
+    column, row = grid.seats[i].column, grid.seats[i].row
     for c in range(max(column - 1, 0), min(column + 2, grid.columns)):
         for r in range(max(row - 1, 0), min(row + 2, grid.rows)):
             k = grid.head[c * grid.rows + r]
@@ -32,32 +32,33 @@ def neighbours(i, balls, grid):
                 if k != i:
                     grid.near[count] = k
                     count += 1
-                k = grid.after[k]
+                k = grid.seats[k].after
     return count
 
 
 @kernel
 def leave(i, grid):
     """Take ball i off its cell's list."""
-    after, before = grid.after[i], grid.before[i]
+    seat = grid.seats[i]
+    after, before = seat.after, seat.before
     if after != NOBODY:
-        grid.before[after] = before
+        grid.seats[after].before = before
     if before != NOBODY:
-        grid.after[before] = after
+        grid.seats[before].after = after
     else:
-        grid.head[grid.column[i] * grid.rows + grid.row[i]] = after
+        grid.head[seat.column * grid.rows + seat.row] = after
 
 
 @kernel
 def enter(i, column, row, grid):
     """Put ball i on a cell's list."""
-    cell = column * grid.rows + row
+    cell, seat = column * grid.rows + row, grid.seats[i]
     first = grid.head[cell]
-    grid.after[i], grid.before[i] = first, NOBODY
+    seat.after, seat.before = first, NOBODY
     if first != NOBODY:
-        grid.before[first] = i
+        grid.seats[first].before = i
     grid.head[cell] = i
-    grid.column[i], grid.row[i] = column, row
+    seat.column, seat.row = column, row
 
 
 @kernel
@@ -72,7 +73,7 @@ def cell_of(x, low, size, cells):
 @kernel
 def locate(i, ball, grid):
     """Ball i has been put somewhere."""
-    if grid.column[i] != NOBODY:
+    if grid.seats[i].column != NOBODY:
         leave(i, grid)
     column = cell_of(ball.position.real, grid.west, grid.size, grid.columns)
     row = cell_of(ball.position.imag, grid.south, grid.size, grid.rows)
@@ -82,38 +83,38 @@ def locate(i, ball, grid):
 @kernel
 def plan_crossing(i, ball, time, grid):
     """When, after `time`, will the ball leave its cell, and over which edge?"""
-    grid.cross[i] = inf
+    seat = grid.seats[i]
+    seat.cross = inf
     if ball.phase == RESTING:
         return
-    column, row = grid.column[i], grid.row[i]
+    column, row = seat.column, seat.row
     t = time - ball.since
     p, v, a = place(ball, t), ball.velocity + t * ball.acceleration, ball.acceleration
     x, y, size, wait = p.real - grid.west, p.imag - grid.south, grid.size, inf
     if column + 1 < grid.columns:
         fall = first_fall((column + 1) * size - x, -v.real, -a.real)
         if fall < wait:
-            wait, grid.edge[i] = fall, EAST
+            wait, seat.edge = fall, EAST
     if column > 0:
         fall = first_fall(x - column * size, v.real, a.real)
         if fall < wait:
-            wait, grid.edge[i] = fall, WEST
+            wait, seat.edge = fall, WEST
     if row + 1 < grid.rows:
         fall = first_fall((row + 1) * size - y, -v.imag, -a.imag)
         if fall < wait:
-            wait, grid.edge[i] = fall, NORTH
+            wait, seat.edge = fall, NORTH
     if row > 0:
         fall = first_fall(y - row * size, v.imag, a.imag)
         if fall < wait:
-            wait, grid.edge[i] = fall, SOUTH
-    grid.cross[i] = time + wait
+            wait, seat.edge = fall, SOUTH
+    seat.cross = time + wait
 
 
 @kernel
 def cross(i, ball, grid):
     """The ball goes over to the next cell, on the leg it is on."""
-    time = grid.cross[i]
-    edge = grid.edge[i]
-    column, row = grid.column[i], grid.row[i]
+    seat = grid.seats[i]
+    time, edge, column, row = seat.cross, seat.edge, seat.column, seat.row
     leave(i, grid)
     if edge == EAST:
         column += 1
@@ -157,9 +158,11 @@ def plan_near(i, balls, grid):
             continue
         when = meeting(ball, other)
         if sooner(when, j, ball):
-            ball.meets, ball.partner, grid.promise[i] = when, j, grid.turn[j]
+            ball.meets, ball.partner = when, j
+            grid.seats[i].promise = grid.seats[j].turn
         if sooner(when, i, other):
-            other.meets, other.partner, grid.promise[j] = when, i, grid.turn[i]
+            other.meets, other.partner = when, i
+            grid.seats[j].promise = grid.seats[i].turn
             wait_for(j, balls, grid)
     wait_for(i, balls, grid)
 
@@ -168,18 +171,18 @@ def plan_near(i, balls, grid):
 def wait_for(i, balls, grid):
     """Enter in the tournament what ball i waits for."""
     ball = balls[i]
-    ball.next = min(ball.meets, ball.leg_end, grid.cross[i])
+    ball.next = min(ball.meets, ball.leg_end, grid.seats[i].cross)
     rank(i, balls, grid)
 
 
 @kernel
 def pass_by(i, balls, grid):
     """Is what ball i waits for no event of physics?  Then that is settled: True."""
-    ball = balls[i]
-    if ball.meets <= ball.leg_end and ball.meets <= grid.cross[i]:
-        if grid.promise[i] == grid.turn[ball.partner]:
+    ball, seat = balls[i], grid.seats[i]
+    if ball.meets <= ball.leg_end and ball.meets <= seat.cross:
+        if seat.promise == grid.seats[ball.partner].turn:
             return False
-    elif grid.cross[i] < ball.leg_end:
+    elif seat.cross < ball.leg_end:
         cross(i, ball, grid)
     else:
         return False

@@ -20,14 +20,12 @@ def kernel(function: F) -> F:
     return function
 
 
-def inlined(function: F) -> F:
-    """The same for what is handed a whole scene: compiled, it becomes a part of its caller."""
+def whole(function: F) -> F:
+    """The same for what is handed a whole scene and may be called from outside.
+
+    Compiled, it becomes a part of whoever calls it.
+    """
     return function
-
-
-def lend(scene: Any) -> Any:
-    """The same scene; compiled, without a count of references to each of its arrays."""
-    return scene
 
 
 def foreign_cushion(v: complex, roll: complex, side: float, rule: Any) -> Any:
