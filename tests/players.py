@@ -11,12 +11,32 @@ import pygame
 from game.__main__ import new_game
 from game.app import App
 from game.clock import TICKS
+from game.keys import DEFAULTS
 from game.options import Options
 from game.play import Game
 
 FRAME = TICKS // 60
 FOLDER = TemporaryDirectory()
 """Where set-ups are saved instead of in the user's folder."""
+_LETTERS = [chr(c) for c in range(ord("a"), ord("z") + 1)]
+FREE, SPARE = [c for c in _LETTERS if c not in {b.key for b in DEFAULTS.values()}][:2]
+"""Keys that nothing has by default."""
+TWO_SHOTS = """
+0.10 key return
+1.37 key right
+1.37 text 2
+1.37 key return
+1.37 text 0
+1.37 key return
+1.37 text 1
+1.37 key return
+1.37 text -1
+1.37 key return
+1.37 text 200
+1.37 key return
+1.50 key return
+"""
+"""A script: the second shot is played while the balls of the first one move."""
 
 
 def an_app(size=(960, 540), **options) -> App:

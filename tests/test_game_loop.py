@@ -6,7 +6,17 @@ import sys
 
 import pygame
 import pytest
-from players import FRAME, an_app, assert_same_as_anew, click, places, press, run_to_rest, write
+from players import (
+    FRAME,
+    TWO_SHOTS,
+    an_app,
+    assert_same_as_anew,
+    click,
+    places,
+    press,
+    run_to_rest,
+    write,
+)
 
 from game import __main__ as entry
 from game.actions import Action
@@ -16,22 +26,6 @@ from game.play import Game, Notice
 from game.script import parse
 from game.setup import SCENES, table_world
 from physics import EventDriven, simulate
-
-TWO_SHOTS = """
-0.10 key return
-1.37 key right
-1.37 text 2
-1.37 key return
-1.37 text 0
-1.37 key return
-1.37 text 1
-1.37 key return
-1.37 text -1
-1.37 key return
-1.37 text 200
-1.37 key return
-1.50 key return
-"""
 
 
 def end_of(fps, substeps):
