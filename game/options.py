@@ -17,6 +17,10 @@ VIEW = frozenset(
     | {"settings", "record", "replay", "headless", "given"}
 )
 """Options that leave no trace in what the balls do: a record leaves them out."""
+MATCH = frozenset({"players", "level", "handicap", "finish"})
+"""Options that mean nothing without a match."""
+PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tga")
+"""How the name of a picture ends: pygame writes these, and anything else as a TGA."""
 SMALLEST = (640, 360)
 LARGEST = 16384
 
@@ -67,9 +71,22 @@ def read(arguments: list[str] | None = None) -> Options:
         parser.error("--record and --replay exclude each other")
     if "headless" in found and "replay" not in found:
         parser.error("--headless needs --replay")
+    if idle := _idle(found):
+        parser.error(idle)
     if "game" in found:
         found.setdefault("table", fixture.TABLES[found["game"]])
     return Options(**found, given=frozenset(found))
+
+
+def _idle(found: Mapping[str, object]) -> str:
+    """Say which option of a match would do nothing in the game that is asked for, or ""."""
+    game = found.get("game", fixture.FREE)
+    if game == fixture.FREE and (lost := sorted(found.keys() & MATCH)):
+        rules = " or ".join(name for name in fixture.GAMES if name != fixture.FREE)
+        return f"{' and '.join(f'--{name} {found[name]}' for name in lost)}: needs --game {rules}"
+    if "finish" in found and game != fixture.FOUR_BALL:
+        return f"--finish {found['finish']}: needs --game {fixture.FOUR_BALL}"
+    return ""
 
 
 def of_setup(begun: Mapping[str, object], options: Options) -> Options:
@@ -126,7 +143,7 @@ def _parser(
     add("--replay", metavar="FILE", help="play a record; 3 if it comes out differently")
     add("--headless", action="store_true", help="replay without a window, as fast as it goes")
     add("--settings", metavar="FILE", help="keep settings there; else in the user's folder")
-    add("--screenshot", metavar="FILE", help="save the last picture (.png)")
+    add("--screenshot", type=_picture, metavar="FILE", help="save the last picture (.png)")
     add("--stats", action="store_true", help="print counts: frames, physics calls, events")
     add("--version", action="store_true", help="print which pygame is in use")
     return parser
@@ -154,6 +171,12 @@ def _count(least: int, most: int) -> Callable[[str], int]:
         return int(text)
 
     return number
+
+
+def _picture(text: str) -> str:
+    if not text.lower().endswith(PICTURES):
+        raise argparse.ArgumentTypeError(f"must end in {', '.join(PICTURES)}: {text!r}")
+    return text
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -343,6 +343,22 @@ def test_the_command_line_refuses_players_that_there_are_not(arguments, blamed):
         begun("--game", "four-ball", *arguments)
 
 
+@pytest.mark.parametrize(
+    ("arguments", "blamed"),
+    [
+        ("--level club", "--level club: needs --game four-ball or three-cushion"),
+        ("--game free --players Ann", "--players Ann: needs --game"),
+        ("--handicap 5 --level club", "--handicap 5 and --level club: needs --game"),
+        ("--game three-cushion --finish none", "--finish none: needs --game four-ball"),
+    ],
+)
+def test_what_only_a_match_can_use_is_refused_without_one(capsys, arguments, blamed):
+    with pytest.raises(SystemExit) as stop:
+        options.read(arguments.split())
+    assert stop.value.code == 2
+    assert blamed in capsys.readouterr().err
+
+
 def test_a_set_up_on_the_command_line_lies_on_the_table():
     game = begun("--setup", "danggu1 thesis white=0.25,-0.5")
     assert game.world.ball("white").position == (0.25, -0.5)

@@ -7,7 +7,7 @@ import pytest
 from players import an_app, enter, places, press, run_to_rest, write
 
 from game import __main__ as entry
-from game import script
+from game import options, script
 from game.aim import Fault, fault, typed
 from game.text import words
 from game.ui.parts import hint
@@ -177,6 +177,22 @@ def test_a_screenshot_that_cannot_be_written_is_reported(tmp_path, capsys):
     path = tmp_path / "none" / "x.png"
     assert entry.main(["--frames", "1", "--screenshot", str(path)]) == 2
     assert str(path) in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["x.foo", "x", "png", "x.png.gz"])
+def test_a_picture_of_a_kind_that_cannot_be_written_is_refused_before_anything(capsys, name):
+    with pytest.raises(SystemExit) as stop:
+        entry.main(["--frames", "1", "--screenshot", name])
+    assert stop.value.code == 2
+    assert repr(name) in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("end", options.PICTURES)
+def test_every_kind_of_picture_that_is_offered_is_that_kind(tmp_path, end):
+    path = tmp_path / ("X" + end.upper())
+    assert entry.main(["--frames", "1", "--size", "640x360", "--screenshot", str(path)]) == 0
+    begins = {".png": b"\x89PNG", ".jpg": b"\xff\xd8", ".jpeg": b"\xff\xd8", ".bmp": b"BM"}
+    assert path.read_bytes().startswith(begins.get(end, b"\0\0"))
 
 
 def test_help_documents_the_script_format(capsys):
