@@ -4,6 +4,7 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple, overload
 
+from .checks import finite
 from .kernel.body import Body
 from .kernel.calendar import CUSHION, PAIR, PHASE
 from .kernel.motion import RESTING, ROLLING, faded, length
@@ -236,6 +237,7 @@ class Log(Sequence[Event]):
 
     def at(self, time: float) -> dict[str, State]:
         """Every ball as it was at `time`, seconds; before the log began, as it began."""
+        time = finite("Log.at time", time)
         return {name: self._leg(i, time).state() for i, name in enumerate(self.names)}
 
     def _leg(self, i: int, time: float) -> Leg:

@@ -172,6 +172,12 @@ def test_a_phase_can_be_assigned_in_mid_flight():
     assert white.spin[2] == pytest.approx(wz - 10.0 * 0.02, abs=1e-9)
 
 
+@pytest.mark.parametrize("time", [nan, inf, -inf, "1", None])
+def test_a_log_knows_nothing_of_a_time_that_is_none(time):
+    with pytest.raises(ValueError, match=f"Log.at time must be .* not {time!r}"):
+        simulate(scenes.carom(), "white", Shot(3.0)).log.at(time)
+
+
 def test_a_world_that_has_not_run_yet_has_a_trace_of_one_moment():
     times, paths = trace(scenes.carom())
     assert times.tolist() == [0.0]
