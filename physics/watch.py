@@ -12,6 +12,7 @@ from .ball import Ball
 from .engine import EventBudgetError
 from .kernel.body import Body, twin_grid
 from .kernel.motion import length
+from .laws import ForeignRule
 
 if TYPE_CHECKING:
     from .world import World
@@ -30,23 +31,28 @@ class EnergyGainWarning(UserWarning):
 class Watch:
     """A law from outside, called in its own place: the same numbers in and out, but checked.
 
-    balls: those of the world. told: the laws of which it is known that they gain energy.
+    balls: those of the world. asking: where the world looks for who would change it. told: the laws
+    of which it is known that they gain energy.
     """
 
     law: Callable[..., Any]
-    balls: list[Ball]
-    told: list[object]
     parting: float
+    balls: list[Ball]
+    asking: list[str]
+    told: list[object]
 
     def call(self, what: str, *told: Any) -> Any:
         """What the law says; ValueError if it changes a ball behind the engine's back."""
         before = [_values(ball.body) for ball in self.balls]
         spots = [ball.body.position for ball in self.balls]
+        self.asking.append(what)
         try:
             said = self.law(*told)
         except Exception as error:
             error.add_note(f"raised by {what}")
             raise
+        finally:
+            self.asking.pop()
         for ball, was, spot in zip(self.balls, before, spots, strict=False):
             if _values(ball.body) != was:
                 raise ValueError(
@@ -133,6 +139,13 @@ class BallWatch(Watch):
                 if near and unlike((a, b)) < found:
                     found, names = unlike((a, b)), f"balls {one.name!r} and {other.name!r}"
         return names
+
+
+def watch(ball: Any, cushion: Any, *world: Any) -> None:
+    """Have the laws of these rules watched, as far as they are from outside."""
+    for rule, kind in ((ball, BallWatch), (cushion, CushionWatch)):
+        if isinstance(rule, ForeignRule):
+            rule.function = kind(rule.function, rule.parting, *world)
 
 
 def _name(law: object) -> str:

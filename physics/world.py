@@ -28,9 +28,9 @@ class World:
     """
 
     __slots__ = (  # so that a misspelt name is an error, and not an attribute that nobody reads
-        "__weakref__", "_ball_law", "_balls", "_clock", "_cloth", "_cluster_law", "_cushion_law",
-        "_engine", "_index", "_told", "_walls", "_watched", "allowed", "due", "log", "planned",
-        "scene",
+        "__weakref__", "_asking", "_ball_law", "_balls", "_clock", "_cloth", "_cluster_law",
+        "_cushion_law", "_engine", "_index", "_told", "_walls", "_watched", "allowed", "due", "log",
+        "planned", "scene",
     )  # fmt: skip
 
     def __init__(
@@ -48,6 +48,7 @@ class World:
         self._clock = Clock(self._cloth.felt())
         self._balls: list[Ball] = []
         self._watched = False  # is a law from outside in use?  Then a run that fails is undone
+        self._asking: list[str] = []  # the law from outside that is just asked
         self._told: list[object] = []  # the laws from outside that were found to gain energy
         self._index: dict[str, int] = {}
         self._walls: list[Wall] = []
@@ -68,6 +69,7 @@ class World:
 
     def add(self, thing: Thing) -> Thing:
         """Put a ball or a wall into the world; returns it."""
+        self._refuse_laws("add")
         if isinstance(thing, Ball):
             self._add_ball(thing)
         elif isinstance(thing, Wall):
@@ -118,6 +120,7 @@ class World:
 
     @cloth.setter
     def cloth(self, cloth: Cloth) -> None:
+        self._refuse_laws("cloth")
         self._cloth = _cloth(cloth)
         self._disturb()
         self._clock.cloth = cloth.felt()
@@ -129,6 +132,7 @@ class World:
 
     @ball_law.setter
     def ball_law(self, law: str | laws.BallLaw) -> None:
+        self._refuse_laws("ball_law")
         self._ball_law = laws.ball_law(law)
         self._renew_rules()
 
@@ -138,6 +142,7 @@ class World:
 
     @cushion_law.setter
     def cushion_law(self, law: str | laws.CushionLaw) -> None:
+        self._refuse_laws("cushion_law")
         self._cushion_law = laws.cushion_law(law, self._cushion_law)
         self._renew_rules()
 
@@ -152,6 +157,7 @@ class World:
 
     @cluster_law.setter
     def cluster_law(self, law: str | laws.HertzCluster | None) -> None:
+        self._refuse_laws("cluster_law")
         self._cluster_law = laws.cluster_law(law)
 
     @property
@@ -160,6 +166,7 @@ class World:
 
     @engine.setter
     def engine(self, engine: Engine) -> None:
+        self._refuse_laws("engine")
         self._engine = _engine(engine)
         self._disturb()
         self._renew_rules()
@@ -168,20 +175,21 @@ class World:
         vmin = self._engine.vmin
         ball = laws.ball_rule(self._ball_law, vmin)
         cushion = laws.cushion_rule(self._cushion_law, vmin)
-        if isinstance(ball, laws.ForeignRule):
-            from .watch import BallWatch
-
-            ball.function = BallWatch(ball.function, self._balls, self._told, vmin)
-        if isinstance(cushion, laws.ForeignRule):
-            from .watch import CushionWatch
-
-            cushion.function = CushionWatch(cushion.function, self._balls, self._told, vmin)
         self._watched = any(isinstance(rule, laws.ForeignRule) for rule in (ball, cushion))
+        if self._watched:
+            from .watch import watch
+
+            watch(ball, cushion, self._balls, self._asking, self._told)
         return ball, cushion
 
     def _renew_rules(self) -> None:
         ball, cushion = self._rules()
         self.scene = self.scene._replace(ball_rule=ball, cushion_rule=cushion)
+
+    def _refuse_laws(self, call: str) -> None:
+        """RuntimeError if it is a law from outside, asked just now, that uses this."""
+        if self._asking:
+            raise RuntimeError(f"{self._asking[-1]} used World.{call}: a law only answers")
 
     # -- the moment it is at -------------------------------------------------------------------
 
@@ -222,11 +230,13 @@ class World:
         """Give a ball the velocity and spin of the shot, whatever it did before."""
         if not isinstance(shot, Shot):
             raise ValueError(f"World.strike takes a Shot, not {shot!r}")
+        self._refuse_laws("strike")
         body = self.ball(ball).disturb()
         body.velocity, body.roll, body.side = shot.velocity(), shot.roll(), shot.side
 
     def stop(self) -> None:
         """All balls stop where they are."""
+        self._refuse_laws("stop")
         for ball in self._balls:
             body = ball.disturb()
             body.velocity, body.roll, body.side = 0j, 0j, 0.0
@@ -234,6 +244,7 @@ class World:
     def step(self, dt: float) -> None:
         """Let dt seconds pass; n steps of dt / n lead to the same rest, bit for bit, for any n."""
         nonnegative("World.step dt", dt)
+        self._refuse_laws("step")
         if self._watched:
             from .watch import undone
 
@@ -253,6 +264,7 @@ class World:
 
     def run(self, until: float = inf) -> None:
         """Let time pass till all balls rest, or till world time `until`, s, that included."""
+        self._refuse_laws("run")
         if until != inf:
             until = finite("World.run until", until)
         if until < self.time:
@@ -285,7 +297,7 @@ class World:
         for name in World.__slots__[1:]:
             setattr(world, name, getattr(self, name))
         world._clock, world._balls, world.log = clock, balls, log
-        world._index, world._walls = self._index.copy(), self._walls[:]
+        world._index, world._walls, world._asking = self._index.copy(), self._walls[:], []
         log.watch(world._walls)
         world.scene = self.scene._replace(
             balls=[ball.body for ball in balls],

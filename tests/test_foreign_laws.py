@@ -11,11 +11,13 @@ import pytest
 
 from physics import (
     Ball,
+    Cloth,
     EnergyGainWarning,
     EventBudgetError,
     EventDriven,
     Shot,
     TimeStepping,
+    Wall,
     laws,
     scenes,
     simulate,
@@ -134,6 +136,78 @@ def test_a_law_that_moves_or_pushes_a_ball_itself_is_caught(what):
     with pytest.raises(ValueError, match=r"cushion law pushy, at ball 'white', changed Ball.'red'"):
         world.run()
     assert everything(world) == before
+
+
+USED = [
+    ("add", lambda world: world.add(Ball("late", at=(0.9, 0.4)))),
+    ("add", lambda world: world.add(Wall.line(1.0, 0.0, 1.0))),
+    ("strike", lambda world: world.strike("red", SHOT)),
+    ("strike", lambda world: world.strike("white", SHOT)),
+    ("stop", lambda world: world.stop()),
+    ("step", lambda world: world.step(0.01)),
+    ("run", lambda world: world.run()),
+    ("run", lambda world: world.run(until=world.time)),
+    ("engine", lambda world: setattr(world, "engine", TimeStepping(0.01))),
+    ("cloth", lambda world: setattr(world, "cloth", Cloth(slide=0.5))),
+    ("ball_law", lambda world: setattr(world, "ball_law", "smooth")),
+    ("cushion_law", lambda world: setattr(world, "cushion_law", "rigid")),
+    ("cluster_law", lambda world: setattr(world, "cluster_law", "hertz")),
+]
+
+
+def settings(world):
+    kept = world.engine, world.cloth, world.ball_law, world.cushion_law, world.cluster_law
+    return *kept, world.walls, [ball.name for ball in world.balls], world.log.names
+
+
+@pytest.mark.parametrize(("name", "use"), USED)
+@pytest.mark.parametrize("engine", [EventDriven(), TimeStepping(dt=1 / 180)], ids=repr)
+def test_a_law_that_uses_its_world_while_an_event_is_handled_is_told_so(name, use, engine):
+    world = scenes.carom()
+    world.engine = engine
+
+    def nosy(v, roll, side):
+        use(world)
+        return RIGID(v, roll, side)
+
+    world.cushion_law = nosy
+    world.strike("white", SHOT)
+    world.step(1e-3)
+    before, kept = everything(world), settings(world)
+    with pytest.raises(RuntimeError, match=f"law nosy, at ball 'white', used World.{name}: a law"):
+        world.run()
+    assert (everything(world), settings(world)) == (before, kept)
+    world.cushion_law = "rigid"
+    use(world)  # only a law may not
+
+
+def test_a_law_that_uses_the_world_of_a_batch_is_told_so():
+    world = scenes.carom()
+    world.cushion_law = lambda v, roll, side: world.strike("red", SHOT)
+    world.plan()
+    before = everything(world)
+    with pytest.raises(RuntimeError, match=r"cushion law <lambda>, at a ball, used World\.strike"):
+        simulate_many(world, "white", [SHOT])
+    assert everything(world) == before
+
+
+def test_a_law_may_use_another_world_and_a_copy_of_its_own():
+    world, other = scenes.carom(), scenes.carom()
+    copies = []
+
+    def curious(v, roll, side):
+        copies.append(world.copy())
+        copies[-1].cushion_law = "rigid"
+        copies[-1].stop()
+        other.strike("white", SHOT)
+        other.step(0.01)
+        return RIGID(v, roll, side)
+
+    world.cushion_law = curious
+    world.strike("white", SHOT)
+    world.run()
+    assert world.at_rest
+    assert len(copies) == sum(event.kind == "cushion" for event in world.log)
 
 
 def test_whatever_a_law_raises_the_world_is_as_it_was():
