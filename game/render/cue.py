@@ -10,7 +10,7 @@ import pygame
 from numpy.typing import NDArray
 
 from . import raster, theme
-from .arrays import Floats
+from .arrays import Floats, Indices
 from .layout import Layout
 
 LENGTH = 1.40
@@ -57,16 +57,13 @@ def draw(
     ]
     clip = surface.get_clip().clip(layout.table)
     dirty = _shadow(surface, layout, ends, clip, alpha)
-    near = raster.touched(ends, BUTT * layout.scale + 1, clip)
-    metres = near.along / layout.scale
-    half = (TIP + (BUTT - TIP) * metres / LENGTH) * layout.scale
-    cover = (half + 0.5 - near.away).clip(0, 1) * alpha * _inside(layout, near)
-    some = cover > 0
-    across = (near.away * _side(near, ends) / half).clip(-1, 1)[some]
-    row = near.along[some].astype(np.intp)
-    column = ((across + 1) * ((ACROSS - 1) / 2) + 0.5).astype(np.intp)
-    colour = _texture(layout.scale)[row, column]
-    return dirty.union(raster.blend(surface, near.x[some], near.y[some], cover[some], colour))
+    near = raster.beside(ends[0], ends[1], BUTT * layout.scale + 1, clip)
+    half = _half(layout, near)
+    cover = (half + np.float32(0.5) - near.away).clip(0, 1) * np.float32(alpha)
+    spot = near.along.astype(np.intp) * ACROSS + _shade(near, ends, half)
+    colour = _texture(layout.scale).reshape(-1, 3).take(spot, axis=0)
+    cover *= _inside(layout, near)
+    return dirty.union(raster.blend(surface, near.x, near.y, cover, colour, once=True))
 
 
 def _shadow(
@@ -78,33 +75,44 @@ def _shadow(
 ) -> pygame.Rect:
     """Draw a soft shadow that leaves the cue towards the butt, which is held higher."""
     scale = layout.scale
-    drop = [(ends[0][0] + 0.006 * scale, ends[0][1] + 0.010 * scale)]
-    drop.append((ends[1][0] + 0.020 * scale, ends[1][1] + 0.045 * scale))
+    start = (ends[0][0] + 0.006 * scale, ends[0][1] + 0.010 * scale)
+    end = (ends[1][0] + 0.020 * scale, ends[1][1] + 0.045 * scale)
     soft = 0.012 * scale
-    near = raster.touched(drop, BUTT * scale + soft, clip)
-    metres = near.along / scale
-    half = (TIP + (BUTT - TIP) * metres / LENGTH) * scale
-    edge = soft * (0.35 + 0.65 * metres / LENGTH)
-    t = ((half + edge - near.away) / (2 * edge)).clip(0, 1)
-    cover = 0.45 * t * t * (3 - 2 * t) * alpha * _inside(layout, near)
-    return raster.blend(surface, near.x, near.y, cover.astype(np.float32), (2, 6, 10))
+    near = raster.beside(start, end, BUTT * scale + soft, clip)
+    edge = np.float32(0.35 * soft) + near.along * np.float32(0.65 * 0.012 / LENGTH)
+    t = ((_half(layout, near) + edge - near.away) / (edge + edge)).clip(0, 1)
+    cover = t * t * (3 - 2 * t) * np.float32(0.45 * alpha) * _inside(layout, near)
+    return raster.blend(surface, near.x, near.y, cover, (2, 6, 10), once=True)
 
 
-def _inside(layout: Layout, near: raster.Touched) -> Floats:
-    """Return 1 on the table, falling to 0 at its outer edge."""
-    box = layout.table
-    x, y = near.x + 0.5, near.y + 0.5
-    edge = np.minimum(np.minimum(x - box.x, box.right - x), np.minimum(y - box.y, box.bottom - y))
-    t = (edge / (FADE * layout.s)).clip(0, 1).astype(np.float32)
-    return np.asarray(t * t * (3 - 2 * t), np.float32)
+def _half(layout: Layout, near: raster.Beside) -> Floats:
+    """Return half the thickness of the stick at each pixel, px."""
+    return near.along * np.float32((BUTT - TIP) / LENGTH) + np.float32(TIP * layout.scale)
 
 
-def _side(near: raster.Touched, ends: list[tuple[float, float]]) -> Floats:
-    """Return +1 on the side of the stick that faces up on screen and -1 on the other."""
+def _shade(near: raster.Beside, ends: list[tuple[float, float]], half: Floats) -> Indices:
+    """Return which shade across the stick each pixel has: the last is that of the upper side."""
     dx, dy = ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]
-    cross = dx * (near.y + 0.5 - ends[0][1]) - dy * (near.x + 0.5 - ends[0][0])
-    facing = 1.0 if dx > 0 or (dx == 0 and dy > 0) else -1.0
-    return np.asarray(np.where(cross * facing < 0, 1, -1), np.float32)
+    up = -1.0 if dx > 0 or (dx == 0 and dy > 0) else 1.0
+    turned = (near.across / half).clip(-1, 1) * np.float32(up * (ACROSS - 1) / 2)
+    return (turned + np.float32(ACROSS / 2)).astype(np.intp)
+
+
+def _inside(layout: Layout, near: raster.Beside) -> Floats:
+    """Return 1 on the table, falling to 0 at its outer edge."""
+    across, down = _ramps(layout)
+    return np.minimum(across.take(near.x - layout.table.x), down.take(near.y - layout.table.y))
+
+
+@lru_cache(maxsize=2)
+def _ramps(layout: Layout) -> tuple[Floats, Floats]:
+    """Return how much of the cue is to be seen in each column and in each row of the table."""
+    ramps = []
+    for size in layout.table.size:
+        at = np.arange(size, dtype=np.float32) + np.float32(0.5)
+        t = (np.minimum(at, size - at) / (FADE * layout.s)).clip(0, 1)
+        ramps.append(np.asarray(t * t * (3 - 2 * t), np.float32))
+    return ramps[0], ramps[1]
 
 
 @lru_cache(maxsize=2)

@@ -7,6 +7,8 @@ edges and round joins are smooth at any width.
 
 from __future__ import annotations
 
+from math import ceil, floor, hypot
+from sys import byteorder
 from typing import NamedTuple
 
 import numpy as np
@@ -72,6 +74,49 @@ def _columns(
     return name, np.arange(len(name)) + (first - np.cumsum(count) + count)[name]
 
 
+class Beside(NamedTuple):
+    """Pixels beside one straight stroke, each once: all are 1-D and of equal length."""
+
+    x: Indices
+    y: Indices
+    away: Floats
+    """Distance from the stroke, px: its ends are round."""
+    along: Floats
+    """Distance from the stroke's beginning to the nearest point of the stroke, px."""
+    across: Floats
+    """Distance from the endless line, px; positive on the side that is clockwise on screen."""
+
+
+def beside(
+    start: tuple[float, float], end: tuple[float, float], reach: float, clip: pygame.Rect
+) -> Beside:
+    """Return the pixels inside `clip` and within `reach` px of a straight stroke.
+
+    What `touched` does for many segments, for one: a third of the time.
+    """
+    (x, y), (dx, dy) = start, (end[0] - start[0], end[1] - start[1])
+    size, steep = max(hypot(dx, dy), 1e-6), abs(dy) > abs(dx)
+    x, y, dx, dy = (y, x, dy / size, dx / size) if steep else (x, y, dx / size, dy / size)
+    sides = (clip.y, clip.bottom, clip.x, clip.right)
+    low, high, least, most = sides if steep else (*sides[2:], *sides[:2])
+    far = sorted((x, x + dx * size))
+    first, last = max(floor(far[0] - reach), low), min(ceil(far[1] + reach), high)
+    u = np.arange(first, max(first, last))
+    du = u.astype(np.float32) + np.float32(0.5 - x)
+    half = ceil(reach / max(abs(dx), 0.5) + 0.5)
+    row = np.floor(du * np.float32(dy / dx if dx else 0.0) + np.float32(y))
+    v = row[:, None] + np.arange(-half, half + 1, dtype=np.float32)
+    dv = v + np.float32(0.5 - y)
+    across = dv * np.float32(dx) - (du * np.float32(dy))[:, None]
+    spot = np.flatnonzero((np.abs(across) <= reach) & (v >= least) & (v < most))
+    u, v = u[spot // (2 * half + 1)], v.reshape(-1)[spot].astype(np.intp)
+    across = across.reshape(-1)[spot]
+    line = (dv * np.float32(dy) + (du * np.float32(dx))[:, None]).reshape(-1)[spot]
+    along = line.clip(0, size)
+    away = np.sqrt(across * across + (line - along) ** 2)
+    return Beside(v, u, away, along, -across) if steep else Beside(u, v, away, along, across)
+
+
 BOARDS = 4
 """Sizes kept at once: a window, a fan, and those of a window just resized."""
 _peaks: dict[int, Floats] = {}
@@ -99,18 +144,30 @@ def blend(
     y: Indices,
     alpha: Floats,
     colour: Colour | Floats,
+    once: bool = False,
 ) -> pygame.Rect:
-    """Move the pixels (x, y) of an opaque surface towards `colour` by `alpha` (0 to 1).
+    """Move the pixels (x, y) of an opaque surface of 32 bits towards `colour` by `alpha` (0 to 1).
 
     `colour` is one colour or an array (n, 3), 0 to 255.  Where a pixel is listed twice the larger
-    alpha counts.  Returns the rectangle around the pixels.
+    alpha counts; `once` says that none is.  Returns the rectangle around the pixels.
     """
     if not len(x):
         return pygame.Rect(0, 0, 0, 0)
     width, height = surface.get_size()
-    alpha = peak(x * height + y, alpha, width * height)[:, None]
-    pixels = pygame.surfarray.pixels3d(surface)
-    old = pixels[x, y].astype(np.float32)
-    pixels[x, y] = old + (np.asarray(colour, np.float32) - old) * alpha + 0.5
+    if not once:
+        alpha = peak(x * height + y, alpha, width * height)
+    pixels = pygame.surfarray.pixels2d(surface)  # a pixel as one number: a fifth of the time
+    old = pixels[x, y]
+    channels = old.view(np.uint8).reshape(-1, 4)
+    for place, wanted in zip(_places(surface), np.asarray(colour, np.float32).T, strict=True):
+        was = channels[:, place].astype(np.float32)
+        channels[:, place] = was + (wanted - was) * alpha + np.float32(0.5)
+    pixels[x, y] = old
     left, top = int(x.min()), int(y.min())
     return pygame.Rect(left, top, int(x.max()) - left + 1, int(y.max()) - top + 1)
+
+
+def _places(surface: pygame.Surface) -> list[int]:
+    """Return which bytes of a pixel are red, green and blue."""
+    shifts = (shift // 8 for shift in surface.get_shifts()[:3])
+    return [shift if byteorder == "little" else 3 - shift for shift in shifts]
