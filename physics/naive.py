@@ -12,7 +12,7 @@ from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .kernel.motion import RESTING, ROLLING, faded, motion
-from .overlap import bring, catch_up, contacts, end_phase, kept, launch, mark
+from .overlap import bring, catch_up, contacts, end_phase, kept, launch, mark, touching
 
 if TYPE_CHECKING:
     from .world import World
@@ -112,29 +112,17 @@ def located(world: "World", time: float, ahead: float, k: int) -> None:
     substep(world, time, ahead, k, rk4)
     for ball in world.scene.balls:
         ball.next = inf
-    if not touching(world, ahead):
+    if not touches(world, ahead):
         return
     low, high = time, time + ahead
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if touching(world, middle - time) else (middle, high)
+        low, high = (low, middle) if touches(world, middle - time) else (middle, high)
     world.scene.balls[0].next = high
 
 
-def touching(world: "World", h: float) -> bool:
+def touches(world: "World", h: float) -> bool:
     """Will anything overlap and approach h seconds after the step's start?"""
-    scene = world.scene
-    there = [trial(ball, h, scene.cloth, rk4) for ball in scene.balls]
-    for i, (p, v, _) in enumerate(there):
-        ball = scene.balls[i]
-        for wall in scene.walls:
-            if (wall.inward * v).real < 0.0 and (wall.inward * p).real - wall.offset <= ball.radius:
-                return True
-        for j in range(i + 1, len(there)):
-            line, reach = there[j].position - p, ball.radius + scene.balls[j].radius
-            if (
-                line.real * line.real + line.imag * line.imag <= reach * reach
-                and (line.conjugate() * (v - there[j].velocity)).real > 0.0
-            ):
-                return True
-    return False
+    there = [trial(ball, h, world.scene.cloth, rk4) for ball in world.scene.balls]
+    spots = [ball.position for ball in there]
+    return any(touching(world.scene, spots, lambda i: there[i].velocity))

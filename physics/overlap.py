@@ -1,7 +1,9 @@
 """Contacts noticed on a grid of times: two things overlap, and still approach each other."""
 
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
+from .kernel.body import Scene
 from .kernel.calendar import CUSHION, PAIR, PHASE
 from .kernel.laws import hit_ball, hit_wall
 from .kernel.motion import RESTING, carry, motion, place, settle
@@ -51,32 +53,45 @@ def end_phase(world: "World", time: float, i: int) -> None:
     note(world, time, PHASE, i, -1)
 
 
-def contacts(world: "World", time: float) -> None:
-    """All contacts that are there at `time`, in the order of balls and walls; the world's laws."""
-    balls, walls = world.scene.balls, world.scene.walls
-    spots = [place(ball, time - ball.since) for ball in balls]
-    for i, ball in enumerate(balls):
-        p = spots[i]
+def touching(
+    scene: Scene, spots: list[complex], speed: Callable[[int], complex]
+) -> Iterator[tuple[int, int, int]]:
+    """(PAIR, ball, ball) or (CUSHION, ball, wall) for all that overlap and approach, in order.
+
+    The balls are at `spots`; ball i's velocity is speed(i), asked anew each time: a contact found
+    here may have changed it by then.
+    """
+    balls = scene.balls
+    for i, (ball, p) in enumerate(zip(balls, spots, strict=True)):
         for j in range(i + 1, len(balls)):
             line, reach = spots[j] - p, ball.radius + balls[j].radius
-            if line.real * line.real + line.imag * line.imag > reach * reach:
-                continue
-            if (line.conjugate() * (speed(ball, time) - speed(balls[j], time))).real > 0.0:
-                meet(world, time, i, j)
+            if (
+                line.real * line.real + line.imag * line.imag <= reach * reach
+                and (line.conjugate() * (speed(i) - speed(j))).real > 0.0
+            ):
+                yield PAIR, i, j
         if ball.phase == RESTING:
             continue
-        for k, wall in enumerate(walls):
+        for k, wall in enumerate(scene.walls):
             # beyond the wall counts as overlap: only a wall's back would let a ball escape
             if (wall.inward * p).real - wall.offset <= ball.radius and (
-                wall.inward * speed(ball, time)
+                wall.inward * speed(i)
             ).real < 0.0:
-                bounce(world, time, i, k)
+                yield CUSHION, i, k
 
 
-def speed(ball: Any, time: float) -> complex:
-    """The ball's velocity at `time`, on the leg it is on."""
-    velocity: complex = ball.velocity + (time - ball.since) * ball.acceleration
-    return velocity
+def contacts(world: "World", time: float) -> None:
+    """All contacts that are there at `time`, in the order of balls and walls; the world's laws."""
+    balls = world.scene.balls
+
+    def speed(i: int) -> complex:
+        ball = balls[i]
+        velocity: complex = ball.velocity + (time - ball.since) * ball.acceleration
+        return velocity
+
+    spots = [place(ball, time - ball.since) for ball in balls]
+    for kind, i, other in touching(world.scene, spots, speed):
+        (meet if kind == PAIR else bounce)(world, time, i, other)
 
 
 def bring(world: "World", time: float, i: int) -> Any:
