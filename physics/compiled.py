@@ -7,6 +7,8 @@ them all, and of where and how old they are.
 import hashlib
 import logging
 import os
+import shutil
+from contextlib import suppress
 from functools import cache, partial
 from math import exp, inf, sqrt
 from pathlib import Path
@@ -21,6 +23,7 @@ log = logging.getLogger("physics")
 _lock = Lock()  # threads may ask at once
 
 NAME = "physics.compiled_kernel"
+UNUSED = 7 * 86400.0  # s, see _forget
 
 
 def cache_folder() -> Path:
@@ -82,11 +85,30 @@ def _kernel() -> ModuleType:
     folder, before = cache_folder(), config.CACHE_DIR
     if not folder.exists():
         log.warning("compiling the kernel for %s, this once: it takes about 10 seconds", folder)
+        with suppress(OSError):
+            folder.mkdir(parents=True)
+            _forget(folder)
+    with suppress(OSError):
+        os.utime(folder)  # its age is the time since its last use
     config.CACHE_DIR = str(folder)
     try:
         return load(NAME, _subset())
     finally:
         config.CACHE_DIR = before
+
+
+def _forget(folder: Path) -> None:
+    """Remove the kernels beside this new one that nobody has used for a week.
+
+    Each edit and each release leaves one, of 2 to 6 MB. Another install may still want its own:
+    after a week it waits 10 s for it anew. First a folder loses its name, then its files, so
+    nobody finds half of one; one that somebody else removes, or holds open, is left alone.
+    """
+    now = folder.stat().st_mtime
+    for other in folder.parent.glob("kernel-*/"):
+        with suppress(OSError):
+            if other.stat().st_mtime < now - UNUSED:
+                shutil.rmtree(other.rename(f"{other}.{os.getpid()}"), ignore_errors=True)
 
 
 def records(items: list[Any], kind: Any) -> Any:

@@ -1,6 +1,5 @@
 """Batches: the digits of a batch are those of single shots, whoever does the work."""
 
-import logging
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from math import inf
 
@@ -157,17 +156,6 @@ def test_a_law_from_outside_runs_interpreted():
     with pytest.raises(ValueError, match="interpreted"):
         simulate_many(world, "white", fan(1), compiled=True)
     assert simulate_many(world, "white", fan(2)).events.min() > 0
-
-
-def test_a_cold_compile_is_announced_once(tmp_path, monkeypatch, caplog):
-    from physics import compiled
-
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    monkeypatch.setattr(compiled, "load", lambda name, subset: None)
-    with caplog.at_level(logging.WARNING, logger="physics"):
-        compiled._kernel.__wrapped__()
-    assert "compiling the kernel" in caplog.text
-    assert str(tmp_path) in caplog.text
 
 
 def test_the_game_and_single_shots_never_load_numba():
