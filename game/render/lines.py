@@ -73,8 +73,12 @@ def polyline(
         return pygame.Rect(0, 0, 0, 0)
     if len(points) == 2 and not fade and not dashes and 1e-6 < length(points) < SHORT:
         return _short(surface, points, colour, width, alpha, soft)
-    near = raster.touched(points, width / 2 + soft, surface.get_clip())
-    cover = ((width / 2 + soft - near.away) / (2 * soft)).clip(0, min(1.0, width)) * alpha
+    reach, clip = width / 2 + soft, surface.get_clip()
+    if len(points) == 2 and points[0] != points[1]:
+        near: raster.Touched | raster.Beside = raster.beside(points[0], points[1], reach, clip)
+    else:
+        near = raster.touched(points, reach, clip)
+    cover = ((reach - near.away) / (2 * soft)).clip(0, min(1.0, width)) * alpha
     if fade:
         cover *= fade[0] + (fade[1] - fade[0]) * near.along / max(length(points), 1e-6)
     if dashes:

@@ -45,21 +45,23 @@ def touched(points: Points, reach: float, clip: pygame.Rect) -> Touched:
     path[steep], step[steep] = path[steep, ::-1], step[steep, ::-1]
     edges = np.where(steep, clip.y, clip.x), np.where(steep, clip.bottom, clip.right)
     name, u = _columns(path[:, 0], step[:, 0], reach, edges)
-    unit = (step / length[:, None])[name]
-    du = (u + np.float32(0.5) - path[name, 0]).astype(np.float32)
-    middle = path[name, 1] + du * unit[:, 1] / unit[:, 0]
-    half = int(np.ceil(reach * 1.4143))
-    v = np.floor(middle).astype(np.intp)[:, None] + np.arange(-half, half + 1)
-    dv = (v + np.float32(0.5) - path[name, 1, None]).astype(np.float32)
-    along = (du * unit[:, 0])[:, None] + dv * unit[:, 1, None]
-    beyond = along - along.clip(0, length[name, None])
-    away = np.hypot(du[:, None] * unit[:, 1, None] - dv * unit[:, 0, None], beyond)
-    along += start[name, None] - beyond
     sides = np.where(steep, clip.x, clip.y), np.where(steep, clip.right, clip.bottom)
-    near = (away <= reach) & (v >= sides[0][name, None]) & (v < sides[1][name, None])
-    count = near.sum(axis=1)
-    u, v, turned = np.repeat(u, count), v[near], np.repeat(steep[name], count)
-    return Touched(np.where(turned, v, u), np.where(turned, u, v), away[near], along[near])
+    own = np.column_stack((step / length[:, None], path, length, start, *sides, steep))
+    # what each column needs to know of its segment, looked up in one go
+    own = own.astype(np.float32).take(name, 0)
+    dx, dy, x, y, size, first, least, most, turned = own.T[..., None]
+    half = ceil(reach * 1.4143)
+    du = u[:, None].astype(np.float32) + (np.float32(0.5) - x)
+    v = np.floor(y + du * (dy / dx)) + np.arange(-half, half + 1, dtype=np.float32)
+    dv = v + (np.float32(0.5) - y)
+    line = du * dx + dv * dy
+    along = np.minimum(np.maximum(line, 0), size)
+    square = (du * dy - dv * dx) ** 2 + (line - along) ** 2
+    spot = np.flatnonzero((square <= reach * reach) & (v >= least) & (v < most))
+    row, away = spot // (2 * half + 1), np.sqrt(square.reshape(-1).take(spot))
+    u, v = u.take(row), v.reshape(-1).take(spot).astype(np.intp)
+    along, flip = (along + first).reshape(-1).take(spot), turned.reshape(-1).take(row) > 0
+    return Touched(np.where(flip, v, u), np.where(flip, u, v), away, along)
 
 
 def _columns(

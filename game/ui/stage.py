@@ -117,7 +117,7 @@ class Stage:
             return grown
         self._under = key
         old, self._marked = self._marked, []
-        for rect in old:
+        for rect in _merged(old):
             self.lines.blit(self.base, rect, rect)
         self.lines.set_clip(self.layout.table)
         fan = self._draw_fan(game)
