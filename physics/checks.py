@@ -2,14 +2,20 @@
 
 from collections.abc import Callable, Sequence
 from math import isfinite
+from typing import TYPE_CHECKING, Any
 
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+NO_NUMBERS = (str, bytes, bytearray, bool)  # though float takes them
 LARGEST = 1e50  # in any unit: its fourth power is still a number, and so is all that comes of it
 
 
 def finite(name: str, value: float) -> float:
     """The value as a plain float, or ValueError with its name; NumPy's numbers become plain."""
     try:
-        number = float("text" if isinstance(value, str | bytes | bytearray) else value)
+        number = float("text" if isinstance(value, NO_NUMBERS) else value)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name} must be a number, not {value!r}") from None
     if not isfinite(number):
@@ -38,6 +44,19 @@ def keep(owner: object, check: Callable[[str, float], float], *names: str) -> No
     for name in names:
         number = check(f"{type(owner).__name__}.{name}", getattr(owner, name))
         object.__setattr__(owner, name, number)
+
+
+def array(name: str, values: Any) -> "npt.NDArray[np.float64]":
+    """The values as an array of floats, or ValueError: NumPy would read text and count truths."""
+    import numpy as np
+
+    try:
+        found = np.asarray(values)
+        if found.dtype.kind in "iufO":
+            return found.astype(float)
+    except (TypeError, ValueError):
+        pass
+    raise ValueError(f"{name} must be numbers, not {values!r:.80}")
 
 
 def vector(name: str, value: Sequence[float], length: int) -> tuple[float, ...]:

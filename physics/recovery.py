@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from math import inf, nan, sqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .checks import finite, positive
+from .checks import array, finite, positive
 from .cloth import Cloth
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def recover(
 def _samples(times: Any, positions: Any, start: float | None) -> tuple[Array, Array]:
     import numpy as np
 
-    t, p = np.asarray(times, float), np.asarray(positions, float)
+    t, p = array("recover times", times), array("recover positions", positions)
     if t.ndim != 1 or p.shape != (len(t), 2):
         raise ValueError(f"recover: times (n,) and positions (n, 2), not {t.shape} and {p.shape}")
     if len(t) < FEWEST:

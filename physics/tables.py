@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from . import laws
+from .checks import keep, positive
 from .cloth import Cloth
 from .wall import Wall
 from .world import World
@@ -10,7 +11,10 @@ from .world import World
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """length and width between the cushions' noses, ball radius: metres; ball mass: kg."""
+    """length and width between the cushions' noses, ball radius: metres; ball mass: kg.
+
+    ValueError for what is not finite or not above zero.
+    """
 
     length: float
     width: float
@@ -19,6 +23,9 @@ class Table:
     cloth: Cloth
     ball_law: laws.BallLaw
     cushion_law: laws.CushionLaw
+
+    def __post_init__(self) -> None:
+        keep(self, positive, "length", "width", "radius", "mass")
 
     def world(self) -> World:
         """An empty world: four walls named west, east, south and north, cloth and laws."""

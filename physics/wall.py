@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from .checks import finite, vector
+from .checks import finite, keep, vector
 from .kernel.body import Line
 from .kernel.motion import length
 
@@ -22,9 +22,8 @@ class Wall:
     name: str | None = None
 
     def __post_init__(self) -> None:
-        finite("Wall.offset", self.offset)
-        if not abs(length(self.normal) - 1.0) < UNIT:
-            raise ValueError(f"Wall.normal must be of length 1, not {self.normal!r}")
+        keep(self, finite, "offset")
+        object.__setattr__(self, "normal", _unit(self.normal))
 
     @classmethod
     def line(cls, a: float, b: float, d: float, name: str | None = None) -> "Wall":
@@ -56,3 +55,14 @@ class Wall:
     def record(self) -> Line:
         """The wall as the kernel sees it."""
         return Line(self.normal, self.offset, self.normal.conjugate())
+
+
+def _unit(normal: complex) -> complex:
+    """The normal as a plain complex number, or ValueError."""
+    try:
+        plain = complex(normal.real, normal.imag)
+    except (AttributeError, TypeError):
+        raise ValueError(f"Wall.normal must be a complex number, not {normal!r}") from None
+    if not abs(length(plain) - 1.0) < UNIT:
+        raise ValueError(f"Wall.normal must be of length 1, not {normal!r}")
+    return plain

@@ -1,6 +1,7 @@
 """What somebody hands in: made plain numbers, or refused by name before anything changes."""
 
-from dataclasses import fields
+from dataclasses import fields, replace
+from functools import partial
 from math import inf, nan
 
 import numpy as np
@@ -20,10 +21,18 @@ from physics import (
     simulate,
     simulate_many,
     store,
+    tables,
     trace,
 )
 
 R = 0.03275
+
+
+def sized(**sizes):
+    """A table of these sizes."""
+    return replace(tables.MATCH_CAROM, **sizes)
+
+
 KEPT = [
     (Cloth, {"slide": 0.25}), (EventDriven, {"vmin": 0.5}), (TimeStepping, {"dt": 0.125}),
     (CueStroke, {"speed": 3.0, "side": 0.25}), (laws.RigidCushion, {"e": 0.75, "nose": 1.25}),
@@ -31,6 +40,7 @@ KEPT = [
     (laws.CappedCushion, {"mu": 0.25}), (laws.SmoothBall, {"e": 0.75}),
     (laws.RoughBall, {"e": 0.75, "mu": 0.25}), (laws.ThesisBall, {"e": 0.75}),
     (laws.HertzCluster, {"e": 0.75, "gap": 0.25}), (Shot, {"speed": 3.0, "angle": 37.0}),
+    (partial(Wall, -1j), {"offset": 0.25}), (sized, {"length": 2.5, "mass": 0.25}),
 ]  # fmt: skip
 
 
@@ -53,14 +63,17 @@ def test_what_is_kept_is_plain(kind, values):
 
 
 @pytest.mark.parametrize(("kind", "values"), KEPT, ids=lambda x: getattr(x, "__name__", ""))
-@pytest.mark.parametrize("bad", [nan, inf, -inf, 1e51, -1.0, "0.1", "\uff10", b"0.1", [0.1], 1j])
+@pytest.mark.parametrize(
+    "bad", [nan, inf, -inf, 1e51, -1.0, "0.1", "\uff10", b"0.1", [0.1], 1j, True]
+)
 def test_what_is_no_number_or_too_large_is_refused_by_name(kind, values, bad):
+    kept = kind(**values)
     for name in values:
-        if bad == -1.0 and name in ("side", "angle"):
+        if bad == -1.0 and name in ("side", "angle", "offset"):
             continue
-        with pytest.raises(ValueError, match=rf"{kind.__name__}\.{name}"):
+        with pytest.raises(ValueError, match=rf"{type(kept).__name__}\.{name}"):
             kind(**{**values, name: bad})
-    assert {field.name for field in fields(kind)} >= set(values)
+    assert {field.name for field in fields(kept)} >= set(values)
 
 
 def spoil(world, name, value):
@@ -113,6 +126,8 @@ def test_what_is_refused_leaves_a_world_in_mid_flight_as_it_was(act, message):
         (lambda: World(ball_law=laws.RigidCushion()), "ball law"),
         (lambda: Wall(2 + 0j, 0.0), "Wall.normal"),
         (lambda: Wall(complex(nan, 0), 0.0), "Wall.normal"),
+        (lambda: Wall("1", 0.0), "Wall.normal must be a complex number, not '1'"),
+        (lambda: Wall(None, 0.0), "Wall.normal must be a complex number, not None"),
         (lambda: Wall(1 + 0j, inf), "Wall.offset"),
         (lambda: Wall.line(1e60, 0.0, 0.0), "Wall.line a"),
         (lambda: Wall.line(1e-60, 0.0, 1.0), "Wall.offset"),
@@ -170,6 +185,13 @@ def test_a_phase_can_be_assigned_in_mid_flight():
     assert (white.phase, white.velocity) == ("resting", (0.0, 0.0))
     assert white.spin[:2] == (0.0, 0.0)
     assert white.spin[2] == pytest.approx(wz - 10.0 * 0.02, abs=1e-9)
+
+
+def test_a_wall_of_numpys_numbers_is_a_plain_one():
+    """A wall in 32 bits would have the engine go on in 32 bits."""
+    wall = Wall(np.complex64(1j), np.float32(-0.5))
+    assert wall == Wall(1j, -0.5)
+    assert (type(wall.normal), type(wall.offset)) == (complex, float)
 
 
 @pytest.mark.parametrize("time", [nan, inf, -inf, "1", None])
