@@ -331,7 +331,7 @@ class Game:
         """How many balls the cue ball has met in this shot, and how often it has met a cushion."""
         key = (self.stamp, len(self.world.log))
         if key != self._counts[0]:
-            own = [event for event in self.world.log if self.shooter in event.balls]
+            own = [event for event in playhead.events(self) if self.shooter in event.balls]
             met = {name for e in own if e.kind == "ball" for name in e.balls} - {self.shooter}
             self._counts = key, (len(met), sum(e.kind == "cushion" for e in own))
         return self._counts[1]
@@ -354,7 +354,7 @@ class Game:
         self.head.live()
         self.world.stop()
         for ball, state in zip(self.world.balls, states, strict=True):
-            ball.position, ball.velocity, ball.spin = state
+            ball.position, ball.velocity, ball.spin = state[:3]
         self.world.log.clear()
         self._changed()
         self.began = self.world.time

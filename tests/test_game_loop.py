@@ -23,9 +23,11 @@ from game.actions import Action
 from game.aim import Aim
 from game.clock import LONGEST, TICKS, RealClock, VirtualClock, shares
 from game.play import Game, Notice
+from game.playhead import events
 from game.script import parse
 from game.setup import SCENES, table_world
 from physics import EventDriven, simulate
+from physics.log import Log
 
 
 def end_of(fps, substeps):
@@ -207,3 +209,29 @@ def test_a_shot_with_too_many_events_is_stopped_with_a_message_and_the_game_goes
     app.game.world.engine = EventDriven()
     press(app, "r", "return")
     assert app.game.moving
+
+
+def test_events_are_worked_out_of_the_log_once_and_once_more_at_rest(monkeypatch):
+    made, whole = [], Log._event
+
+    def counted(log, *raw):
+        made.append(raw)
+        return whole(log, *raw)
+
+    monkeypatch.setattr(Log, "_event", counted)
+    app = an_app(scene="rack15")
+    run_to_rest(app)
+    press(app, "n")  # the list is drawn anew
+    log = app.game.world.log
+    # the last one is looked at again to see how long the shot has lasted
+    assert 60 < len(log) <= len(made) <= 2 * len(log) + 10
+
+
+def test_what_is_told_of_a_shot_is_what_its_log_says_also_after_undo():
+    app = an_app()
+    press(app, "return")
+    for then in ((), ("space",), ("z", "return"), ("r", "ctrl+return"), ("home",), ("end",)):
+        press(app, *then)
+        for _ in range(40):
+            app.frame(FRAME)
+            assert events(app.game) == list(app.game.world.log)

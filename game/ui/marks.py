@@ -10,7 +10,7 @@ from math import atan2, copysign, hypot, radians
 import pygame
 
 from game.play import Game
-from game.playhead import known, passed, runs
+from game.playhead import events, known, passed, runs
 from game.preview import Contact, Place, Preview, path
 from game.render import cards, lines
 from game.render.layout import Layout
@@ -232,7 +232,7 @@ def _hits(
 ) -> Rects:
     normals = {wall.name: wall.normal for wall in game.world.walls}
     s, rects = layout.s, []
-    for event in game.world.log:
+    for event in events(game):
         if event.time > now:
             break
         if event.balls[0] not in game.traced:

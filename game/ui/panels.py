@@ -11,7 +11,7 @@ import pygame
 from game.actions import Action
 from game.clock import TICKS
 from game.play import Game
-from game.playhead import moment, passed
+from game.playhead import events, moment, passed
 from game.render import cards
 from game.render.layout import Layout
 from game.render.theme import BACKGROUND, TEXT, TEXT_SOFT
@@ -107,7 +107,7 @@ def log_rows(
         return tuple((colour[b].ui, colour[b].letter) for b in balls)
 
     rows = [cards.LogRow("0.00", dots((game.shooter,)), w["event.strike"])] if game.shots else []
-    for event in game.world.log:
+    for event in events(game):
         if event.kind == "roll":
             continue
         balls = event.balls
@@ -127,7 +127,7 @@ def log_rows(
 
 def _log_times(game: Game) -> list[float]:
     """When the rows of the log were, world seconds."""
-    times = [event.time for event in game.world.log if event.kind != "roll"]
+    times = [event.time for event in events(game) if event.kind != "roll"]
     return [game.began, *times] if game.shots else times
 
 
