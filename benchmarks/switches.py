@@ -87,7 +87,7 @@ def without_reach(package: Package) -> None:
     """Every cushion is solved for, also those the ball moves away from."""
     calendar, contact, motion = package.calendar, package.contact, package.motion.motion
 
-    def plan_leg(ball: Any, walls: Any, cloth: Any) -> None:
+    def plan_leg(ball: Any, walls: Any, cloth: Any, _: Any) -> None:
         phase, a, lasts = motion(ball.velocity, ball.roll, cloth)
         if phase == package.motion.RESTING:
             ball.velocity = ball.roll = 0j
@@ -114,7 +114,7 @@ def without_memory(package: Package) -> None:
     def replan(i: int, scene: Any) -> Any:
         kind, other = happen(i, scene)
         for ball in scene.balls:
-            calendar.plan_leg(ball, scene.walls, scene.cloth)
+            calendar.plan_leg(ball, scene.walls, scene.cloth, scene.cushion_rule)
         for k in range(len(scene.balls)):
             calendar.plan_meetings(k, scene)
         return kind, other
@@ -156,7 +156,7 @@ def with_rubbing(package: Package) -> None:
         slip = complex(v.imag + side, -roll.real)
         return push, laws.friction(slip, 0.0 * push, 3.5 / mass)
 
-    replace(package, laws.ball, ball)
+    replace(package, laws.ball_law, ball)
 
 
 def with_spin_events(package: Package) -> None:
@@ -176,7 +176,7 @@ def with_spin_events(package: Package) -> None:
             due, k = min((end, k) for k, end in enumerate(ends) if end > done[k])
             if due < time:
                 done[k] = due
-                calendar.plan_leg(balls[k], scene.walls, cloth)
+                calendar.plan_leg(balls[k], scene.walls, cloth, scene.cushion_rule)
                 calendar.plan_meetings(k, scene)
                 continue
             if time > until or time == inf:

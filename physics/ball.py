@@ -2,13 +2,27 @@
 
 from collections.abc import Sequence
 
-from .checks import positive, vector
+from .checks import finite, nonnegative, positive, vector
 from .kernel.body import Body, Felt, twin
-from .kernel.motion import RESTING, ROLLING, SLIDING, carry, faded, motion, place
+from .kernel.flight import aloft
+from .kernel.motion import (
+    AIRBORNE,
+    GONE,
+    RESTING,
+    ROLLING,
+    SLIDING,
+    altitude,
+    carry,
+    faded,
+    motion,
+    place,
+)
 
 DISTURBED = -1  # the phase of a ball that somebody has touched and no engine has looked at yet
 NOWHERE = Felt(0.0, 0.0, 0.0)  # the cloth under a ball that is in no world yet
-NAMES = {RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding"}
+NAMES = {
+    RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding", AIRBORNE: "airborne", GONE: "gone"
+}  # fmt: skip
 
 
 class Clock:
@@ -89,7 +103,9 @@ class Ball:
     @position.setter
     def position(self, value: Sequence[float]) -> None:
         x, y = vector(f"ball {self.name!r}: position", value, 2)
-        self.disturb().position = complex(x, y)
+        body = self.disturb()
+        body.position = complex(x, y)
+        body.height = max(0.0, body.height)  # that had left the table is put back on it
         self._clock.moved = True
 
     @property
@@ -104,12 +120,42 @@ class Ball:
         self.disturb().velocity = complex(vx, vy)
 
     @property
+    def height(self) -> float:
+        """How far its lowest point is above the cloth, m."""
+        body = self._body
+        if body.phase != AIRBORNE:
+            return max(0.0, body.height)
+        return float(max(0.0, altitude(body, self._clock.now - body.since)))
+
+    @height.setter
+    def height(self, value: float) -> None:
+        height = nonnegative(f"ball {self.name!r}: height", value)
+        self.disturb().height = height
+        self._clock.moved = True
+
+    @property
+    def climb(self) -> float:
+        """Velocity upward, m/s.  Downward on the cloth, it bounces."""
+        return self._body.climb - (self._clock.now - self._body.since) * self._body.fall
+
+    @climb.setter
+    def climb(self, value: float) -> None:
+        climb = finite(f"ball {self.name!r}: climb", value)
+        self._on_table().disturb().climb = climb
+
+    def _on_table(self) -> "Ball":
+        if self._body.height < 0.0:
+            raise ValueError(f"{self!r} has left the table: give it a position first")
+        return self
+
+    @property
     def spin(self) -> tuple[float, float, float]:
         """(wx, wy, wz), rad/s."""
         body, t = self._body, self._clock.now - self._body.since
         gain = t * body.acceleration
         roll = body.roll + (gain if body.phase == ROLLING else -2.5 * gain)
-        side = faded(body.side, t * body.radius * self._clock.cloth.fade)
+        fade = 0.0 if body.phase == AIRBORNE else self._clock.cloth.fade
+        side = faded(body.side, t * body.radius * fade)
         return -roll.imag / body.radius, roll.real / body.radius, side / body.radius
 
     @spin.setter
@@ -122,11 +168,15 @@ class Ball:
     def phase(self) -> str:
         """ "sliding", "rolling" or "resting"; a ball that only spins on the spot rests.
 
+        In flight "airborne"; "gone" when it has left the table over a cushion.
+
         Assigned "rolling", the ball turns as its velocity wants; "resting", it stops, and keeps its
         spin about the vertical; "sliding" is refused of a ball whose velocity and spin agree.
         """
         body = self._body
         if body.phase == DISTURBED:
+            if aloft(body):
+                return NAMES[GONE if body.height < 0.0 else AIRBORNE]
             return NAMES[motion(body.velocity, body.roll, self._clock.cloth)[0]]
         return NAMES[body.phase]
 
@@ -142,7 +192,7 @@ class Ball:
             body = self.disturb()
             body.velocity = body.roll = 0j
         else:
-            known = ", ".join(NAMES.values())
+            known = "resting, rolling, sliding"
             raise ValueError(f"ball {self.name!r}: phase must be one of {known}, not {value!r}")
 
     def disturb(self) -> Body:
@@ -151,6 +201,7 @@ class Ball:
         if body.phase != DISTURBED:
             carry(body, self._clock.now, self._clock.cloth)
             body.acceleration = 0j
+            body.fall = 0.0
             body.phase = DISTURBED
         self._clock.disturbed = True
         return body

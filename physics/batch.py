@@ -25,7 +25,7 @@ CHUNK = 4096  # shots that an executor is handed at once: 10 ms compiled, 0.5 s 
 WORTH = 5000  # shots: below that, loading the compiled kernel takes longer than it saves
 
 
-_numbers = attrgetter("speed", "angle", "follow", "masse", "side")
+_numbers = attrgetter("speed", "angle", "follow", "masse", "side", "climb")
 
 
 class Outcomes(NamedTuple):
@@ -47,7 +47,8 @@ def simulate_many(
     """What becomes of each shot at `ball`, all from the state the world is in; the world stays as
     it is.
 
-    shots: `Shot`s, or an array (shots, 5) of speed, angle, follow, masse, side. executor: any of
+    shots: `Shot`s, or an array (shots, 5) of speed, angle, follow, masse, side, or (shots, 6) with
+    climb. executor: any of
     concurrent.futures' kind shares the work: threads (the compiled kernel lets them run at once),
     processes, a cluster's. compiled: True asks for numba (ImportError without it), False for the
     interpreter; None takes numba where it is installed and worth it. The digits are the same,
@@ -100,15 +101,17 @@ def _parts(job: Job | OneByOne, pieces: list[Any], executor: Executor | None) ->
 
 
 def _table(shots: Any, np: Any) -> Any:
-    """The shots as an array (shots, 5), each of them one that could be played."""
+    """The shots as an array (shots, 5 or 6), each of them one that could be played."""
     try:
         if not isinstance(shots, np.ndarray):
             shots = [_numbers(shot) if isinstance(shot, Shot) else shot for shot in shots]
-        table = np.asarray(shots, float) if len(shots) else np.empty((0, 5))
+        table = np.asarray(shots, float) if len(shots) else np.empty((0, 6))
     except (TypeError, ValueError):
-        raise ValueError(f"shots must be Shots or rows of 5 numbers, not {shots!r:.80}") from None
-    if table.ndim != 2 or table.shape[1] != 5:
-        raise ValueError(f"shots must be Shots or an array (shots, 5), not {table.shape}")
+        raise ValueError(
+            f"shots must be Shots or rows of 5 or 6 numbers, not {shots!r:.80}"
+        ) from None
+    if table.ndim != 2 or table.shape[1] not in (5, 6):
+        raise ValueError(f"shots must be Shots or an array (shots, 5 or 6), not {table.shape}")
     for bad in np.flatnonzero(~((abs(table) <= LARGEST).all(axis=1) & (table[:, 0] > 0.0))):
         try:
             Shot(*table[bad].tolist())
@@ -118,20 +121,23 @@ def _table(shots: Any, np: Any) -> Any:
 
 
 def _starts(world: World, name: str, table: Any, np: Any) -> Any:
-    """(shots, balls, 7): position, velocity, roll, side of every ball when the shot is struck."""
-    starts = np.empty((len(table), len(world.balls), 7))
+    """(shots, balls, 9): position, velocity, roll, side, height, climb of every ball when the shot
+    is struck."""
+    starts = np.empty((len(table), len(world.balls), 9))
     for k, ball in enumerate(world.copy().balls):
         body = ball.disturb()
         p, v, w = body.position, body.velocity, body.roll
-        starts[:, k] = p.real, p.imag, v.real, v.imag, w.real, w.imag, body.side
+        starts[:, k, :6] = p.real, p.imag, v.real, v.imag, w.real, w.imag
+        starts[:, k, 6:] = body.side, body.height, body.climb
         if ball.name == name:
-            speed, angle, follow, masse, side = table.T
+            speed, angle, follow, masse, side = table.T[:5]
             # one by one: numpy's own sine may differ in the last digit from the one that Shot uses
             d = np.array([direction(a) for a in angle.tolist()], complex)
             starts[:, k, 2], starts[:, k, 3] = speed * d.real, speed * d.imag
             starts[:, k, 4] = follow * d.real + masse * d.imag
             starts[:, k, 5] = follow * d.imag - masse * d.real
             starts[:, k, 6] = side
+            starts[:, k, 8] = table[:, 5] if table.shape[1] == 6 else 0.0
     return starts
 
 

@@ -11,18 +11,22 @@ class Cloth:
     """Coefficients of a cloth (docs/physics.md, "Cloth").
 
     slide: friction μ_s of a sliding ball; roll: resistance μ_r of a rolling one; spin_decay: loss
-    of the spin about the vertical, α_z in rad/s²; gravity in m/s². Each finite and not negative, or
-    ValueError.
+    of the spin about the vertical, α_z in rad/s²; gravity in m/s²; bounce: restitution of a ball
+    that comes down on it, below 1. Each finite and not negative, or ValueError.
     """
 
     slide: float = 0.2
     roll: float = 0.01
     spin_decay: float = 10.0
     gravity: float = 9.8
+    bounce: float = 0.5
 
     def __post_init__(self) -> None:
-        keep(self, nonnegative, "slide", "roll", "spin_decay", "gravity")
+        keep(self, nonnegative, "slide", "roll", "spin_decay", "gravity", "bounce")
+        if self.bounce >= 1.0:
+            raise ValueError(f"Cloth.bounce must be below 1, not {self.bounce!r}")
 
     def felt(self) -> Felt:
         """The decelerations that the kernel works with."""
-        return Felt(self.slide * self.gravity, self.roll * self.gravity, self.spin_decay)
+        slide, roll = self.slide * self.gravity, self.roll * self.gravity
+        return Felt(slide, roll, self.spin_decay, self.gravity, self.bounce, self.slide)

@@ -1,7 +1,7 @@
 """The cue: where and how fast the tip meets the ball, and the shot that comes of it."""
 
 from cmath import rect
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan, cos, degrees, hypot, radians, sin, sqrt
 from typing import Protocol
 
@@ -86,12 +86,25 @@ class CueStroke:
         level = 1.0 - x * x
         return degrees(atan(2.5 * x * sqrt(level) / (1.0 + self.end_ratio + 2.5 * level)))
 
+    def jump(self, ball: Heavy) -> Shot:
+        """The same with what `shot` leaves out: the cue drives the ball into the cloth.
+
+        It bounces off at once, by the cloth's `bounce`, and flies.
+        """
+        return replace(
+            self.shot(ball), climb=-self._kick(ball) * sin(radians(self.elevation))
+        )
+
+    def _kick(self, ball: Heavy) -> float:
+        """The speed along the cue that the ball gets, m/s."""
+        return (1.0 + self.restitution) * self.speed / (
+            1.0 + ball.mass / self.cue_mass + 2.5 * sum(arm * arm for arm in self.lever)
+        )
+
     def shot(self, ball: Heavy) -> Shot:
         """The speed, course and spin that the stroke gives a resting ball of that mass."""
         course, left, vertical = self.lever
-        kick = (1.0 + self.restitution) * self.speed / (
-            1.0 + ball.mass / self.cue_mass + 2.5 * (course**2 + left**2 + vertical**2)
-        )
+        kick = self._kick(ball)
         # the spin is about the cue's axes, a Shot's about the ball's own course
         turned = complex(left, -course) * rect(1.0, -radians(self.squirt))
         return Shot(

@@ -15,7 +15,7 @@ from .kernel.calendar import happen as happen_quickly
 from .kernel.cluster import AGREES, SWEEPS, closing_speed, relax_rub, slip_between
 from .kernel.grid import NOBODY, pass_by
 from .kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
-from .kernel.motion import carry, length, place
+from .kernel.motion import SLIDING, carry, length, place
 
 if TYPE_CHECKING:
     from .laws import HertzCluster
@@ -49,7 +49,7 @@ def happen(i: int, scene: Scene, law: "HertzCluster") -> Any:
         return NOTHING, NOBODY
     ball = balls[i]
     time, j = ball.next, ball.partner
-    if ball.meets > ball.leg_end or len(balls) < 3:
+    if ball.meets > ball.leg_end or len(balls) < 3 or max(ball.phase, balls[j].phase) > SLIDING:
         return happen_quickly(i, scene)
     members, contacts = gather(i, j, time, balls, law.gap)
     if len(members) < 3:
@@ -75,7 +75,7 @@ def gather(i: int, j: int, time: float, balls: Any, gap: float) -> tuple[list[in
     for a in members:
         spot = place(balls[a], time - balls[a].since)
         for k, other in enumerate(balls):
-            if k == a or {a, k} == {i, j}:
+            if k == a or {a, k} == {i, j} or other.phase > SLIDING:
                 continue
             far = length(place(other, time - other.since) - spot)
             if far < balls[a].radius + other.radius + gap:

@@ -65,7 +65,7 @@ class _BallLaw:
         self, v: complex, roll: complex, side: float, mass: float
     ) -> tuple[float, complex]:
         """(push, rub) on the first ball, N s; see the module."""
-        result: tuple[float, complex] = kernel.ball(v, roll, side, mass, self.rule())
+        result: tuple[float, complex] = kernel.ball_law(v, roll, side, mass, self.rule())
         return result
 
 
@@ -236,8 +236,8 @@ class ForeignRule(Rule):
 
     __slots__ = ("function",)
 
-    def __init__(self, kind: int, function: Callable[..., Any]) -> None:
-        super().__init__(kind)
+    def __init__(self, rule: Rule, function: Callable[..., Any]) -> None:
+        super().__init__(rule.kind, rule.restitution, rule.friction, rule.height, rule.level)
         self.function = function
 
 
@@ -290,7 +290,11 @@ def _law(
 
 def cushion_rule(law: CushionLaw, parting: float) -> Rule:
     """The law as the kernel wants it."""
-    rule = law.rule() if isinstance(law, _CushionLaw) else ForeignRule(kernel.FOREIGN_CUSHION, law)
+    if isinstance(law, _CushionLaw):
+        rule = law.rule()
+    else:  # which knows the table only: in the air the default's coefficients hold
+        air = RigidCushion()
+        rule = ForeignRule(_bent(kernel.FOREIGN_CUSHION, air.e, air.mu, air.nose), law)
     rule.parting = parting
     return rule
 
@@ -300,6 +304,6 @@ def ball_rule(law: BallLaw, parting: float) -> Rule:
     if isinstance(law, _BallLaw | ThesisBall):
         rule = law.rule()
     else:
-        rule = ForeignRule(kernel.FOREIGN_BALL, law)
+        rule = ForeignRule(Rule(kernel.FOREIGN_BALL), law)
     rule.parting = parting
     return rule

@@ -11,7 +11,7 @@ from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .kernel.motion import ROLLING, SLIDING, faded, length
+from .kernel.motion import AIRBORNE, ROLLING, SLIDING, faded, length
 from .log import Event, Leg, Log, State
 
 if TYPE_CHECKING:
@@ -81,8 +81,10 @@ def cloth_loss(leg: Leg, mass: float, begin: float, end: float) -> float:
     """J that friction takes from a ball between `begin` and `end`, seconds into its leg.
 
     Sliding: ∫ m μ_s g |u| with |u| falling at 7/2 μ_s g; rolling: 7/5 of the work of the
-    deceleration; spinning: 1/5 m (Rω_z)² falls with ω_z.
+    deceleration; spinning: 1/5 m (Rω_z)² falls with ω_z. In the air, nothing.
     """
+    if leg.phase == AIRBORNE:
+        return 0.0
     t, brake, fade = end - begin, length(leg.acceleration), leg.radius * leg.fade
     first, last = faded(leg.side, begin * fade), faded(leg.side, end * fade)
     lost = 0.2 * mass * (first - last) * (first + last)

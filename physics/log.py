@@ -2,23 +2,26 @@
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
+from math import sqrt
 from typing import Any, NamedTuple, overload
 
 from .checks import finite
 from .kernel.body import Body
 from .kernel.calendar import CUSHION, PAIR, PHASE
-from .kernel.motion import RESTING, ROLLING, faded, length
+from .kernel.motion import AIRBORNE, GONE, RESTING, ROLLING, altitude, faded, length
 from .wall import Wall
 
 Vector = tuple[float, float]
 
 
 class State(NamedTuple):
-    """A ball at a moment: (x, y) m, (vx, vy) m/s, (wx, wy, wz) rad/s."""
+    """A ball at a moment: (x, y) m, (vx, vy) m/s, (wx, wy, wz) rad/s; above the cloth, m, m/s."""
 
     position: Vector
     velocity: Vector
     spin: tuple[float, float, float]
+    height: float = 0.0
+    climb: float = 0.0
 
 
 class Leg(NamedTuple):
@@ -34,6 +37,9 @@ class Leg(NamedTuple):
     phase: int
     radius: float
     fade: float
+    height: float = 0.0
+    climb: float = 0.0
+    fall: float = 0.0  # what takes the climb, m/s²
 
     @property
     def time(self) -> float:
@@ -42,34 +48,39 @@ class Leg(NamedTuple):
 
     def after(self, t: float) -> "Leg":
         """The leg as it is t seconds on: the same motion, begun later."""
-        gain = t * self.acceleration
+        gain, flies = t * self.acceleration, self.phase == AIRBORNE
         return self._replace(
             since=self.since + t,
             position=self.position + t * (self.velocity + 0.5 * t * self.acceleration),
             velocity=self.velocity + gain,
             roll=self.roll + (gain if self.phase == ROLLING else -2.5 * gain),
-            side=faded(self.side, t * self.radius * self.fade),
+            side=self.side if flies else faded(self.side, t * self.radius * self.fade),
+            height=altitude(self, t) if flies else self.height,
+            climb=self.climb - t * self.fall,
         )
 
     def state(self) -> State:
         """Where it begins and how."""
         p, v, w, r = self.position, self.velocity, self.roll / self.radius, self.radius
-        return State((p.real, p.imag), (v.real, v.imag), (-w.imag, w.real, self.side / r))
+        spin = -w.imag, w.real, self.side / r
+        return State((p.real, p.imag), (v.real, v.imag), spin, max(0.0, self.height), self.climb)
 
     def energy(self, mass: float) -> float:
-        """Kinetic energy of moving and turning, J."""
+        """Kinetic energy of moving and turning, and what gravity has stored, J."""
         v, w, side = length(self.velocity), length(self.roll), self.side
-        return float(mass * (0.5 * v * v + 0.2 * (w * w + side * side)))
+        lift = 0.5 * self.climb * self.climb + self.fall * self.height
+        return float(mass * (0.5 * v * v + lift + 0.2 * (w * w + side * side)))
 
 
 class Event(NamedTuple):
     """One thing that happened.
 
-    time s; kind "roll", "rest", "cushion" or "ball"; balls: names; wall: name, or None; point: (x,
-    y) of the contact (of the centre, where nothing touched), m; before and after: a State for each
-    ball; closing: speed along the contact's normal before, m/s; impulse: N s; energy_lost: J, in a
-    cluster of contacts their common loss shared by impulse. Events of one instant have the same
-    time.
+    time s; kind "roll", "rest", "cushion" or "ball", and for balls that fly "land" (on the cloth)
+    and "gone" (over a cushion, for good); balls: names; wall: name, or None; point: (x, y) of the
+    contact (of the centre, where nothing touched), m; before and after: a State for each ball;
+    closing: speed along the contact's normal before, m/s (at a cushion, its level part); impulse:
+    N s; energy_lost: J, in a cluster of contacts their common loss shared by impulse. Events of one
+    instant have the same time.
     """
 
     time: float
@@ -119,7 +130,7 @@ class Log(Sequence[Event]):
         """Ball i is on a new leg."""
         self._legs[i].append(
             (epoch, body.since, body.position, body.velocity, body.acceleration, body.roll,
-             body.side, body.phase, body.radius, fade)
+             body.side, body.phase, body.radius, fade, body.height, body.climb, body.fall)
         )  # fmt: skip
 
     def knows(self, i: int) -> bool:
@@ -266,7 +277,8 @@ class Log(Sequence[Event]):
         lost = self._lost(i, first)
         names: tuple[str, ...] = (self.names[i],)
         turns: tuple[tuple[Leg, Leg], ...] = (first,)
-        point, normal = first[1].position, 0j
+        what = _kind(kind, first)
+        point, normal, rise = first[1].position, 0j, -1.0 if what == "land" else 0.0
         wall = None
         if kind == CUSHION:
             wall, normal = self._walls[other].name, -self._walls[other].normal
@@ -274,26 +286,44 @@ class Log(Sequence[Event]):
         elif kind == PAIR:
             second = self._turn(j, leg_j, epoch, time)
             names, turns = (self.names[i], self.names[j]), (first, second)
-            line = second[1].position - point
-            normal = line / length(line)
+            normal, rise = _toward(first[1], second[1])
             point += first[1].radius * normal
             lost += self._lost(j, second)
-        closing = (normal.conjugate() * first[0].velocity).real
+        closing = _along(first[0], normal, rise)
         if kind == PAIR:
-            closing -= (normal.conjugate() * second[0].velocity).real
-        kick = first[1].velocity - first[0].velocity
-        impulse = 0.0 if kind == PHASE else self._masses[i] * length(kick)
+            closing -= _along(second[0], normal, rise)
+        impulse = 0.0 if what in ("roll", "rest", "gone") else self._masses[i] * _kick(*first)
         if shared is not None:
             impulse, share, members = shared
             lost = share * sum(self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members)
         return Event(
-            epoch + time, _kind(kind, first[1].phase), names, wall, (point.real, point.imag),
+            epoch + time, what, names, wall, (point.real, point.imag),
             tuple(turn[0].state() for turn in turns), tuple(turn[1].state() for turn in turns),
             closing, impulse, lost,
         )  # fmt: skip
 
 
-def _kind(kind: int, phase: int) -> str:
-    if kind == PHASE:
-        return "rest" if phase == RESTING else "roll"
-    return "cushion" if kind == CUSHION else "ball"
+def _kind(kind: int, turn: tuple[Leg, Leg]) -> str:
+    if kind != PHASE:
+        return "cushion" if kind == CUSHION else "ball"
+    if turn[0].phase == AIRBORNE:
+        return "gone" if turn[1].phase == GONE else "land"
+    return "rest" if turn[1].phase == RESTING else "roll"
+
+
+def _toward(a: Leg, b: Leg) -> tuple[complex, float]:
+    """The direction between two centres: over the table, upward."""
+    line, rise = b.position - a.position, b.height - a.height
+    far = sqrt(line.real * line.real + line.imag * line.imag + rise * rise)
+    return line / far, rise / far
+
+
+def _along(leg: Leg, normal: complex, rise: float) -> float:
+    """The speed in that direction."""
+    return (normal.conjugate() * leg.velocity).real + rise * leg.climb
+
+
+def _kick(before: Leg, after: Leg) -> float:
+    """By how much the velocity has changed, m/s."""
+    level, climb = length(after.velocity - before.velocity), after.climb - before.climb
+    return sqrt(level * level + climb * climb)

@@ -4,7 +4,7 @@ from dataclasses import asdict, is_dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from .kernel.motion import RESTING, ROLLING, SLIDING
+from .kernel.motion import AIRBORNE, GONE, RESTING, ROLLING, SLIDING
 from .shot import Shot
 from .wall import Wall
 
@@ -12,10 +12,13 @@ if TYPE_CHECKING:
     from .ball import Ball
     from .world import World
 
-VERSION = 1
+VERSION = 2  # 1 knew no balls in the air
 DISTURBED = "disturbed"
-PHASES = {RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding"}
+PHASES = {
+    RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding", AIRBORNE: "airborne", GONE: "gone"
+}  # fmt: skip
 COMPLEX = ("position", "velocity", "acceleration", "roll")
+REAL = ("side", "height", "climb", "fall")
 # what an engine of fixed steps has noted about the leg's end, and beside it
 PAGE = ("leg_end", "goal", "west", "east", "south", "north", "meets", "partner", "next")
 
@@ -23,7 +26,7 @@ Data = dict[str, Any]
 
 
 def shot_data(shot: Shot) -> Data:
-    """A shot's five numbers."""
+    """A shot's numbers."""
     return {"danggu": "shot", "version": VERSION, **asdict(shot)}
 
 
@@ -56,8 +59,9 @@ def planned_data(world: "World", budget: int) -> Data:
     for ball, leg in zip(data["balls"], world.log.legs_when(world.allowed - budget), strict=True):
         then = leg.after(max(0.0, (world.epoch - leg.epoch) + (now - leg.since)))
         ball.update(
-            phase=DISTURBED, since=now, side=then.side, page=None,
+            phase=DISTURBED, since=now, page=None,
             **{name: _pair(getattr(then, name)) for name in COMPLEX},
+            **{name: getattr(then, name) for name in REAL},
         )  # fmt: skip
     return data
 
@@ -115,6 +119,6 @@ def _ball(ball: "Ball", paged: bool) -> Data:
         "phase": PHASES.get(body.phase, DISTURBED),
         "since": body.since,
         **{name: _pair(getattr(body, name)) for name in COMPLEX},
-        "side": body.side,
+        **{name: getattr(body, name) for name in REAL},
         "page": {name: _or_none(getattr(body, name)) for name in PAGE} if paged else None,
     }

@@ -1,4 +1,4 @@
-"""A shot: the five numbers that the thesis's boxes ask for."""
+"""A shot: the five numbers that the thesis's boxes ask for, and one for balls that jump."""
 
 from cmath import rect
 from dataclasses import dataclass
@@ -22,8 +22,8 @@ class Shot:
 
     follow (Wx·R) spins about the horizontal axis left of the direction of travel, + runs after the
     ball, - draws it back; masse (Wy·R) about the direction of travel; side (Wz·R) about the
-    vertical, + left, anticlockwise from above. ValueError unless all are finite and the speed is
-    above zero.
+    vertical, + left, anticlockwise from above. climb: velocity upward, m/s; downward, the ball
+    bounces off the cloth. ValueError unless all are finite and the speed is above zero.
     """
 
     speed: float
@@ -31,10 +31,11 @@ class Shot:
     follow: float = 0.0
     masse: float = 0.0
     side: float = 0.0
+    climb: float = 0.0
 
     def __post_init__(self) -> None:
         keep(self, positive, "speed")
-        keep(self, finite, "angle", "follow", "masse", "side")
+        keep(self, finite, "angle", "follow", "masse", "side", "climb")
 
     def velocity(self) -> complex:
         """m/s, in the plane of the table."""

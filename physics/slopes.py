@@ -18,7 +18,7 @@ from .checks import nonnegative, vector
 from .dual import Dual, kernel, slope, value
 from .engine import EventDriven
 from .kernel.calendar import CUSHION, PAIR, PHASE
-from .kernel.motion import RESTING, STILL
+from .kernel.motion import AIRBORNE, RESTING, STILL
 from .log import Event
 from .shot import Shot, direction
 from .world import World, simulate
@@ -130,12 +130,14 @@ def sensitivity(world: World, ball: Ball | str, shot: Shot) -> Sensitivity:
     a parting speed at the engine's `vmin`. On both sides the numbers are right, and different. A
     contact that begins without speed gives NaN.
 
-    ValueError if the engine is not EventDriven, if the world has no such ball, or if three balls
-    meet under a HertzCluster.
+    ValueError if the engine is not EventDriven, if the world has no such ball, if one flies, or if
+    three balls meet under a HertzCluster.
     """
     if not isinstance(world.engine, EventDriven):
         raise ValueError(f"sensitivity needs the engine EventDriven, not {world.engine!r}")
     after = simulate(world, ball, shot)
+    if any(leg.phase == AIRBORNE for name in after.log.names for leg in after.log.legs(name)):
+        raise ValueError("sensitivity knows no derivatives of balls in the air")
     replay = _Replay(after, after.ball(ball).name, shot)
     return Sensitivity(after, tuple(replay.events()), replay.rest())
 
@@ -165,7 +167,7 @@ class _Replay:
             # it rolls, but would slip after another shot, for a moment that leaves 5/7 v + 2/7 w
             rolling = (5.0 * slope(body.velocity) + 2.0 * slope(body.roll)) / 7.0
             body.velocity = body.roll = Dual(value(body.velocity), rolling)
-        self.kernel.calendar.plan_leg(body, (), self.scene.cloth)
+        self.kernel.calendar.plan_leg(body, (), self.scene.cloth, self.scene.cushion_rule)
 
     def events(self) -> Iterator[EventSlope]:
         """Go through them in their order; a cluster, which is many of them, once."""

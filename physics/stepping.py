@@ -84,6 +84,9 @@ class TimeStepping:
             raise ValueError(f"unknown TimeStepping.scheme {self.scheme!r}: one of {names}")
 
     def plan(self, world: "World", disturbed: list[int]) -> None:
+        for ball in world.balls:
+            if ball.phase in ("airborne", "gone"):
+                raise ValueError(f"{ball!r}: fixed steps know only balls on the table")
         SCHEMES[self.scheme].start(world, disturbed)
         world.due = self._grid(world, 0) if _moving(world) else inf
         world.allowed = len(world.log) + self.budget

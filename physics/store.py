@@ -20,7 +20,9 @@ from .record import (
     DISTURBED,
     PAGE,
     PHASES,
+    REAL,
     VERSION,
+    Data,
     foresees,
     insist_on_names,
     shot_data,
@@ -87,14 +89,26 @@ def restore(data: Any) -> World | Shot:
     spot = Spot(data, "")
     kind = spot["danggu"].text()
     version = spot["version"].value
-    if version != VERSION:
-        raise ValueError(f"version is {version!r}; this program reads version {VERSION}")
+    if version == 1:
+        spot = Spot(_renewed(data), "")
+    elif version != VERSION:
+        raise ValueError(f"version is {version!r}; this program reads version {VERSION}, and 1")
     if kind == "shot":
-        names = ("speed", "angle", "follow", "masse", "side")
-        return Shot(**{name: spot[name].number() for name in names})
+        return Shot(**{field.name: spot[field.name].number() for field in fields(Shot)})
     if kind != "world":
         raise ValueError(f'danggu is {kind!r}; it must be "world" or "shot"')
     return _world(spot)
+
+
+def _renewed(data: Data) -> Data:
+    """A file of version 1 as this version has it: then no ball left the cloth."""
+    new = {"climb": 0.0, **data}
+    if isinstance(data.get("cloth"), dict):
+        new["cloth"] = {"bounce": Cloth().bounce, **data["cloth"]}
+    if isinstance(data.get("balls"), list):
+        down = dict.fromkeys(REAL, 0.0)
+        new["balls"] = [{**down, **b} if isinstance(b, dict) else b for b in data["balls"]]
+    return new
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,7 +202,7 @@ def _put_balls(world: World, spot: Spot) -> None:
     world.plan()
     world.clock.epoch, world.clock.now = epoch, now
     for mine, body in zip(world.balls, bodies, strict=True):
-        for name in ("since", "position", "velocity", "acceleration", "roll", "side", "phase"):
+        for name in ("since", *COMPLEX, *REAL, "phase"):
             setattr(mine.body, name, getattr(body, name))
     going = [k for k, body in enumerate(bodies) if body.phase >= 0]
     world.log.rewind([0] * (1 + len(bodies)))
@@ -212,7 +226,8 @@ def _body(spot: Spot) -> Body:
     body = Body(spot["radius"].number(), spot["mass"].number(), spot["since"].number())
     for name in COMPLEX:
         setattr(body, name, spot[name].complex())
-    body.side = spot["side"].number()
+    for name in REAL:
+        setattr(body, name, spot[name].number())
     if spot["page"].value is not None:
         for name in PAGE:
             note = spot["page"][name]

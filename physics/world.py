@@ -9,12 +9,12 @@ from .checks import finite, nonnegative
 from .cloth import Cloth
 from .engine import Engine, EventDriven
 from .kernel.body import Scene, grid, no_grid, ties, twin_grid
-from .kernel.motion import RESTING, carry, length
+from .kernel.motion import GONE, RESTING, carry, length
 from .log import Log
+from .places import check_places
 from .shot import Shot
 from .wall import Wall
 
-OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
 FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
 
 Thing = TypeVar("Thing", Ball, Wall)
@@ -216,7 +216,7 @@ class World:
     @property
     def at_rest(self) -> bool:
         """Does nothing move or roll any more?  (A ball may still spin on the spot.)"""
-        return all(ball.phase == "resting" for ball in self._balls)
+        return all(ball.phase in ("resting", "gone") for ball in self._balls)
 
     @property
     def next_event(self) -> float:
@@ -231,15 +231,17 @@ class World:
         if not isinstance(shot, Shot):
             raise ValueError(f"World.strike takes a Shot, not {shot!r}")
         self._refuse_laws("strike")
-        body = self.ball(ball).disturb()
+        ball = self.ball(ball)
+        ball.climb = shot.climb
+        body = ball.disturb()
         body.velocity, body.roll, body.side = shot.velocity(), shot.roll(), shot.side
 
     def stop(self) -> None:
-        """All balls stop where they are."""
+        """All balls stop where they are; from the air they fall."""
         self._refuse_laws("stop")
         for ball in self._balls:
             body = ball.disturb()
-            body.velocity, body.roll, body.side = 0j, 0j, 0.0
+            body.velocity, body.roll, body.side, body.climb = 0j, 0j, 0.0, 0.0
 
     def step(self, dt: float) -> None:
         """Let dt seconds pass; n steps of dt / n lead to the same rest, bit for bit, for any n."""
@@ -323,9 +325,12 @@ class World:
         if not clock.disturbed:
             return
         if clock.moved:
-            self._check_places()
+            # fixed steps notice a contact when things overlap by what they move in a step
+            fastest = max((length(complex(*ball.velocity)) for ball in self._balls), default=0.0)
+            slack = 2.0 * fastest * getattr(self._engine, "dt", 0.0)
+            check_places(self._balls, self._walls, self.scene.cushion_rule, slack)
             self._lay_grid()
-        if all(body.phase in (RESTING, DISTURBED) for body in bodies):
+        if all(body.phase in (RESTING, GONE, DISTURBED) for body in bodies):
             self._begin_epoch()
         self.planned = self.time
         self._engine.plan(self, [i for i, body in enumerate(bodies) if body.phase == DISTURBED])
@@ -349,25 +354,6 @@ class World:
             spots = [body.position for body in self.scene.balls]
             cells = grid(spots, max(ball.radius for ball in self._balls))
             self.scene = self.scene._replace(celled=True, grid=cells, meetings=[])
-
-    def _check_places(self) -> None:
-        """ValueError, naming the ball, if one lies outside the walls or in another one."""
-        spots = [(ball, complex(*ball.position), ball.radius) for ball in self._balls]
-        fastest = max((length(complex(*ball.velocity)) for ball in self._balls), default=0.0)
-        # fixed steps notice a contact when things overlap by what they move in a step
-        slack = OVERLAP + 2.0 * fastest * getattr(self._engine, "dt", 0.0)
-        for ball, p, r in spots:
-            for wall in self._walls:
-                if wall.distance((p.real, p.imag)) < r - slack:
-                    raise ValueError(f"{ball!r} is outside the wall {wall.name or wall!r}")
-        spots.sort(key=lambda spot: spot[1].real - spot[2])
-        for i, (ball, p, r) in enumerate(spots):
-            for k in range(i + 1, len(spots)):
-                other, q, s = spots[k]
-                if q.real - s > p.real + r:
-                    break
-                if length(q - p) < r + s - slack:
-                    raise ValueError(f"{ball!r} and {other!r} overlap")
 
 
 def _cloth(cloth: Cloth) -> Cloth:

@@ -214,7 +214,7 @@ def test_a_broken_value_is_refused_with_its_place(path):
         ("[]", "the whole must be an object"),
         ("3", "the whole must be an object"),
         ('{"danggu": "song", "version": 1}', 'danggu is \'song\'; it must be "world" or "shot"'),
-        ('{"danggu": "shot", "version": 2}', "version is 2; this program reads version 1"),
+        ('{"danggu": "shot", "version": 3}', "version is 3; this program reads version 2, and 1"),
         ('{"danggu": "shot", "version": 1, "speed": -1}', "angle is missing|Shot.speed"),
     ],
 )

@@ -20,6 +20,9 @@ class Body:
     acceleration: complex = 0j
     roll: complex = 0j  # the velocity at which it would roll with the spin it has, -i R ω
     side: float = 0.0  # R ω_z
+    height: float = 0.0  # above the cloth; below 0 when it has left the table
+    climb: float = 0.0  # the velocity upward
+    fall: float = 0.0  # and what takes it, in the air
     phase: int = 0
     # what ends the leg, and the box it sweeps till then
     leg_end: float = inf
@@ -54,11 +57,15 @@ class Line:
 
 @dataclass(slots=True, eq=False)
 class Felt:
-    """The cloth: decelerations of sliding and rolling balls, m/s², and the loss of ω_z, rad/s²."""
+    """The cloth: decelerations of sliding and rolling balls, m/s², and the loss of ω_z, rad/s²;
+    and for balls in the air gravity, restitution and friction where they come down."""
 
     slide: float
     roll: float
     fade: float
+    gravity: float = 0.0
+    bounce: float = 0.0
+    grip: float = 0.0
 
 
 @dataclass(slots=True, eq=False)

@@ -2,9 +2,10 @@
 
 from .cluster import TOUCHING, collide, crowded, crowded_near, gather
 from .contact import first_fall, meeting
+from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave, plan_flight
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .laws import hit_ball, hit_wall
-from .motion import RESTING, carry, length, motion, settle, swept
+from .motion import AIRBORNE, GONE, RESTING, carry, length, motion, settle, swept
 from .subset import complex, inf, kernel, whole
 
 PHASE_ENDS = -1
@@ -14,8 +15,14 @@ PHASE, CUSHION, PAIR, CLUSTER, NOTHING = 0, 1, 2, 3, 4  # what an event is
 
 
 @kernel
-def plan_leg(ball, walls, cloth):
+def plan_leg(ball, walls, cloth, rule):
     """How the ball moves from now on, until when, and where it may come."""
+    if aloft(ball):
+        ball.goal = PHASE_ENDS
+        lasts = plan_flight(ball, walls, cloth, rule)
+        ball.leg_end = ball.since + lasts
+        reach(ball, ball.position, ball.velocity, 0j, lasts)
+        return
     phase, a, lasts = motion(ball.velocity, ball.roll, cloth)
     if phase == RESTING:
         ball.velocity = 0j
@@ -39,7 +46,8 @@ def plan_leg(ball, walls, cloth):
 
 @kernel
 def reach(ball, p, v, a, lasts):
-    """The box that the ball sweeps on its leg: the whole plane if the leg never ends."""
+    """The box that the ball sweeps on its leg: the whole plane if the leg never ends, nothing if
+    the ball is gone."""
     r = ball.radius
     if ball.phase == RESTING:
         ball.west, ball.east, ball.south, ball.north = (
@@ -49,7 +57,8 @@ def reach(ball, p, v, a, lasts):
             p.imag + r,
         )
     elif lasts == inf:
-        ball.west, ball.east, ball.south, ball.north = -inf, inf, -inf, inf
+        far = -inf if ball.phase == GONE else inf
+        ball.west, ball.east, ball.south, ball.north = -far, far, -far, far
     else:
         low, high = swept(p.real, v.real, a.real, lasts)
         ball.west, ball.east = low - r, high + r
@@ -61,7 +70,7 @@ def reach(ball, p, v, a, lasts):
 def start_leg(i, scene):
     """Ball i goes on from where it is, as it is."""
     ball = scene.balls[i]
-    plan_leg(ball, scene.walls, scene.cloth)
+    plan_leg(ball, scene.walls, scene.cloth, scene.cushion_rule)
     if scene.celled:
         scene.grid.seats[i].turn += 1
         plan_crossing(i, ball, ball.since, scene.grid)
@@ -135,7 +144,7 @@ def plan(scene):
             locate(i, ball, grid)
             start_leg(i, scene)
         else:
-            plan_leg(ball, scene.walls, scene.cloth)
+            plan_leg(ball, scene.walls, scene.cloth, scene.cushion_rule)
         ball.meets, ball.partner, ball.next = inf, NOBODY, ball.leg_end
     for i in range(n):
         if scene.celled:
@@ -176,11 +185,14 @@ def happen(i, scene):
     if ball.meets <= ball.leg_end:
         return meet(i, ball.partner, time, scene)
     kind, goal = PHASE, ball.goal
-    if goal == PHASE_ENDS:
-        settle(ball)
+    if goal < 0:
+        end(ball, goal, cloth, scene.cushion_rule.parting)
     else:
         kind = CUSHION
-        hit_wall(ball, scene.walls[goal], scene.cushion_rule)
+        if ball.phase == AIRBORNE:
+            hit_nose(ball, scene.walls[goal], scene.cushion_rule)
+        else:
+            hit_wall(ball, scene.walls[goal], scene.cushion_rule)
         ball.trapped = ball.trapped + 1 if lasted < INSTANT else 0
         if ball.trapped > PATIENCE:
             release(ball, scene.walls, scene.cushion_rule.parting)
@@ -188,9 +200,20 @@ def happen(i, scene):
         start_leg(i, scene)
         plan_near(i, balls, scene.grid)
     else:
-        plan_leg(ball, scene.walls, cloth)
+        plan_leg(ball, scene.walls, cloth, scene.cushion_rule)
         plan_table(i, balls, scene.meetings)
     return kind, goal
+
+
+@kernel
+def end(ball, goal, cloth, parting):
+    """A phase is over, and nothing was hit; or only the cloth."""
+    if goal == LEAVES:
+        leave(ball)
+    elif ball.phase == AIRBORNE:
+        land(ball, cloth, parting)
+    else:
+        settle(ball)
 
 
 @kernel
@@ -221,18 +244,22 @@ def release(ball, walls, parting):
 def meet(i, j, time, scene):
     """Two balls touch, and perhaps others with them."""
     balls = scene.balls
-    carry(balls[j], time, scene.cloth)
-    if crowded(i, j, time, balls) if not scene.celled else crowded_near(i, j, time, scene):
+    a, b = balls[i], balls[j]
+    carry(b, time, scene.cloth)
+    if a.phase == AIRBORNE or b.phase == AIRBORNE:
+        hit_aloft(a, b, scene.ball_rule)
+    elif crowded(i, j, time, balls) if not scene.celled else crowded_near(i, j, time, scene):
         return crowd(i, j, time, scene)
-    hit_ball(balls[i], balls[j], scene.ball_rule)
+    else:
+        hit_ball(a, b, scene.ball_rule)
     if scene.celled:
         start_leg(i, scene)
         start_leg(j, scene)
         plan_near(i, balls, scene.grid)
         plan_near(j, balls, scene.grid)
     else:
-        plan_leg(balls[i], scene.walls, scene.cloth)
-        plan_leg(balls[j], scene.walls, scene.cloth)
+        plan_leg(a, scene.walls, scene.cloth, scene.cushion_rule)
+        plan_leg(b, scene.walls, scene.cloth, scene.cushion_rule)
         plan_table(i, balls, scene.meetings)
         plan_table(j, balls, scene.meetings)
     return PAIR, j
@@ -282,7 +309,7 @@ def advance(until, budget, scene):
 
 @whole
 def many(starts, rests, times, counts, budget, scene):
-    """Shot after shot, each to rest: `starts` (shots, balls, 7), `rests` (shots, balls, 2)."""
+    """Shot after shot, each to rest: `starts` (shots, balls, 9), `rests` (shots, balls, 2)."""
     balls = scene.balls
     for s in range(len(starts)):
         for i in range(len(balls)):
@@ -291,6 +318,7 @@ def many(starts, rests, times, counts, budget, scene):
             ball.since = 0.0
             ball.position, ball.velocity = complex(x[0], x[1]), complex(x[2], x[3])
             ball.roll, ball.side = complex(x[4], x[5]), x[6]
+            ball.height, ball.climb = x[7], x[8]
         plan(scene)
         counts[s], times[s] = advance(inf, budget, scene)
         for i in range(len(balls)):

@@ -17,7 +17,7 @@ from .laws import (
     rebound,
     toward,
 )
-from .motion import carry, length, place
+from .motion import AIRBORNE, carry, length, place
 from .subset import complex, kernel
 
 TOUCHING = 1e-8  # m: balls closer than this are in contact
@@ -30,9 +30,14 @@ ROUNDS = 64  # a contact: then whatever still closes is left to the next event
 
 @kernel
 def touching(a, b, time):
-    """Is b, on its leg, in contact with a, which is at `time` already?  Boxes first: no root."""
+    """Is b, on its leg, in contact with a, which is at `time` already?  Boxes first: no root.
+
+    Who comes from the air waits until the others are done.
+    """
     x, y, r = a.position.real, a.position.imag, a.radius + TOUCHING
     if b.west > x + r or b.east < x - r or b.south > y + r or b.north < y - r:
+        return False
+    if b.phase == AIRBORNE:
         return False
     return length(place(b, time - b.since) - a.position) < r + b.radius
 

@@ -86,7 +86,7 @@ def grip(slip, rule):
 
 
 @kernel
-def ball(v, roll, side, mass, rule):
+def ball_law(v, roll, side, mass, rule):
     """(push, rub) on the first ball, from relative velocity, summed roll and side, reduced mass."""
     if rule.kind == FOREIGN_BALL:
         return foreign_ball(v, roll, side, mass, rule)
@@ -121,7 +121,7 @@ def hit_ball(a, b, rule):
     turn = line.conjugate()
     mass = a.mass * b.mass / (a.mass + b.mass)
     v, roll = turn * (a.velocity - b.velocity), turn * (a.roll + b.roll)
-    push, rub = ball(v, roll, a.side + b.side, mass, rule)
+    push, rub = ball_law(v, roll, a.side + b.side, mass, rule)
     press(a, b, line, push, rub)
     return push
 

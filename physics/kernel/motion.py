@@ -6,7 +6,7 @@ cloth is velocity - roll, and neither radius nor moment of inertia appears again
 
 from .subset import inf, kernel, sqrt
 
-RESTING, ROLLING, SLIDING = 0, 1, 2
+RESTING, ROLLING, SLIDING, AIRBORNE, GONE = 0, 1, 2, 3, 4
 STILL = 1e-12  # m/s: what is slower does not move
 
 
@@ -60,6 +60,12 @@ def place(ball, t):
 
 
 @kernel
+def altitude(ball, t):
+    """How high it is, t into its leg."""
+    return ball.height + t * (ball.climb - 0.5 * t * ball.fall)
+
+
+@kernel
 def carry(ball, time, cloth):
     """Move a ball along its leg to `time`."""
     t = time - ball.since
@@ -67,7 +73,10 @@ def carry(ball, time, cloth):
     ball.position = place(ball, t)
     ball.velocity += gain
     ball.roll += gain if ball.phase == ROLLING else -2.5 * gain
-    ball.side = faded(ball.side, t * ball.radius * cloth.fade)
+    if ball.phase == AIRBORNE:
+        ball.height, ball.climb = altitude(ball, t), ball.climb - t * ball.fall
+    else:
+        ball.side = faded(ball.side, t * ball.radius * cloth.fade)
     ball.since = time
 
 

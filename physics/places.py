@@ -1,0 +1,42 @@
+"""Do the balls fit where somebody has put them: inside the walls, and not into one another?"""
+
+from collections.abc import Sequence
+from math import hypot
+
+from .ball import Ball
+from .kernel.body import Rule
+from .wall import Wall
+
+OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
+
+
+def check_places(balls: Sequence[Ball], walls: Sequence[Wall], rule: Rule, slack: float) -> None:
+    """ValueError, naming the ball, if one lies outside the walls or in another one.
+
+    rule: the cushions'.  slack: how far things may overlap beyond OVERLAP, m.
+    """
+    here = [ball for ball in balls if ball.phase != "gone"]
+    for ball in here:
+        for wall in walls:
+            if _depth(ball, wall, rule) > slack + OVERLAP:
+                raise ValueError(f"{ball!r} is outside the wall {wall.name or wall!r}")
+    here.sort(key=lambda ball: ball.position[0] - ball.radius)
+    for i, ball in enumerate(here):
+        (x, y), r = ball.position, ball.radius
+        for k in range(i + 1, len(here)):
+            other = here[k]
+            (u, v), s = other.position, other.radius
+            if u - s > x + r:
+                break
+            if hypot(u - x, v - y, other.height - ball.height) < r + s - slack - OVERLAP:
+                raise ValueError(f"{ball!r} and {other!r} overlap")
+
+
+def _depth(ball: Ball, wall: Wall, rule: Rule) -> float:
+    """How far the ball is in the wall, m; in the air only the wall's nose is in its way."""
+    r, height = ball.radius, ball.height
+    gap = wall.distance(ball.position) - r
+    across = gap + r * rule.level
+    if height > 0.0 and across > 0.0:
+        return r - hypot(across, r * rule.height - height)
+    return -gap
