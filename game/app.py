@@ -250,7 +250,7 @@ class App:
     def _sheet(self, event: pygame.event.Event) -> None:
         """Take an event that is meant for the page over the table."""
         self._shown_version = -1
-        action = self.view.sheet.handle(event, self.view.sight)
+        action = self.view.turn_to(event)
         if action is not None:
             self.view.expose()  # what it changes shows behind the page too
             self.perform(action)
@@ -285,7 +285,7 @@ class App:
 
     def _sync_typing(self) -> None:
         """Take text only while a box is edited: an input method must not swallow shortcuts."""
-        typing = self.view.sheet.typing if self.game.sheet else self.game.aim.box is not None
+        typing = self.view.typing if self.game.sheet else self.game.aim.box is not None
         if typing != self._typing:
             self._typing = typing
             (pygame.key.start_text_input if typing else pygame.key.stop_text_input)()

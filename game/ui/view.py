@@ -14,11 +14,13 @@ from game.render.text import Type
 from game.spread import Spread
 
 from . import help as page
+from . import question
 from .marks import aiming
 from .menu import Menu
 from .pages import Page
 from .panels import shot_parts
 from .parts import Part, Sight, fixed_parts
+from .question import Question
 from .rules import Rules
 from .sheet import Sheet
 from .shelf import Shelf
@@ -50,6 +52,8 @@ class View:
         self.sheets: dict[str, Page] = {
             "settings": Sheet(), "menu": Menu(), "shelf": Shelf(), "rules": Rules(),
         }  # fmt: skip
+        self.question: Question | None = None
+        """What is asked over the page before it is done."""
         self.preferences = preferences or Preferences()
         self._table = length, width
         self._fit(size)
@@ -61,7 +65,32 @@ class View:
 
     def open(self) -> None:
         """A page has been laid over the table."""
+        self.question = None
         self.sheet.open(self.game)
+
+    @property
+    def typing(self) -> bool:
+        """Do characters go into the page over the table?"""
+        return self.question is None and self.sheet.typing
+
+    def turn_to(self, event: pygame.event.Event) -> Action | None:
+        """Return what an event means for the page over the table, or for the question over it."""
+        if self.question is not None:
+            return self._answer(self.question, event)
+        action = self.sheet.handle(event, self.sight)
+        if action is not None and question.due(action, self.game):
+            self.question, action = Question(action), None
+        return action
+
+    def _answer(self, asked: Question, event: pygame.event.Event) -> Action | None:
+        if event.type == pygame.KEYDOWN:
+            always = self.preferences.keys.always.get(event.key)
+            if always == Action("language"):
+                return always
+        said = asked.answer(event, self.sight)
+        if said is not None:
+            self.question = None
+        return asked.action if said else None
 
     def renew(self, length: float, width: float) -> None:
         """Show another table, or the same one with other balls."""
@@ -131,7 +160,7 @@ class View:
         return (shown, self.game.language) if shown else None
 
     def _draw_sheet(self, surface: pygame.Surface) -> list[pygame.Rect]:
-        look = self.sheet.look(self.sight)
+        look = self.sheet.look(self.sight), self.question and self.question.look()
         if look == self._sheet_look:
             return []
         if self._sheet_look is None or self._behind is None:
@@ -139,7 +168,10 @@ class View:
         else:
             surface.blit(self._behind, (0, 0))  # round corners must not be drawn over themselves
         self._sheet_look = look
-        return [self.sheet.draw(surface, self.sight)]
+        rect = self.sheet.draw(surface, self.sight)
+        if self.question is not None:
+            self.question.draw(surface, rect, self.sight)
+        return [rect]
 
     def _draw_whole(self, surface: pygame.Surface) -> list[pygame.Rect]:
         self._whole = False

@@ -1,0 +1,92 @@
+"""A question over a page: what ends a running match is done only when the player says so."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+
+import pygame
+
+from game.actions import Action
+from game.play import Game
+from game.render import shapes, theme
+from game.render.layout import Layout
+
+from . import pages
+from .parts import Sight
+
+ENDING = ("table", "line", "scene")
+"""Actions that begin on another table, and so end a match."""
+WIDTH, HEIGHT = 480, 150
+ANSWERS = ("keep", "end")
+STEPS = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_UP: -1, pygame.K_DOWN: 1, pygame.K_TAB: 1}
+GIVEN = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
+
+
+def due(action: Action, game: Game) -> bool:
+    """Would the action end a match that is being played?"""
+    running = game.contest is not None and not game.contest.match.finished
+    return running and action.name in ENDING
+
+
+class Question:
+    """Whether an action is to be done though it ends the match; at first the answer is no."""
+
+    def __init__(self, action: Action) -> None:
+        self.action = action
+        self.focus, self.over = 0, -1
+
+    def look(self) -> Hashable:
+        """Return what its picture depends on."""
+        return self.focus, self.over
+
+    def answer(self, event: pygame.event.Event, sight: Sight) -> bool | None:
+        """Return what an event answers; None while there is no answer."""
+        if event.type == pygame.KEYDOWN:
+            if event.key in STEPS:
+                self.focus = (self.focus + STEPS[event.key]) % len(ANSWERS)
+            elif event.key in GIVEN:
+                return self.focus == ANSWERS.index("end")
+            return False if event.key == pygame.K_ESCAPE else None
+        if event.type == pygame.MOUSEMOTION:
+            self.over = _answer_at(event.pos, sight.layout)
+        elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+            if not box(sight.layout).collidepoint(event.pos):
+                return False
+            at = _answer_at(event.pos, sight.layout)
+            return None if at < 0 else ANSWERS[at] == "end"
+        return None
+
+    def draw(self, surface: pygame.Surface, page: pygame.Rect, sight: Sight) -> None:
+        """Draw it over the page at `page`, which fades behind it."""
+        layout, type_, w, s = sight.layout, sight.type, sight.words, sight.layout.s
+        rect = box(layout)
+        shade = pygame.Surface(page.size, pygame.SRCALPHA)
+        shapes.box(shade, shade.get_rect(), s, theme.BACKGROUND, theme.BACKGROUND)
+        shade.set_alpha(150)
+        surface.blit(shade, page)
+        shapes.box(surface, rect, s, theme.PANEL_RAISED, theme.LINE_INPUT)
+        middle = rect.centerx
+        type_.draw(surface, w["ask.match"], (middle, rect.y + 36 * s), 15, theme.TEXT, "centre")
+        hint = (middle, rect.y + 62 * s)
+        type_.draw(surface, w["ask.hint"], hint, 13, theme.TEXT_SOFT, "centre")
+        for k, (name, spot) in enumerate(zip(ANSWERS, answers(layout), strict=True)):
+            hot, label = k == self.over, w[f"ask.{name}"]
+            pages.button(surface, spot, type_, label, k == self.focus, hot, k == 0)
+
+
+def box(layout: Layout) -> pygame.Rect:
+    """Return where the question is."""
+    rect = pygame.Rect(0, 0, layout.px(WIDTH), layout.px(HEIGHT))
+    rect.center = pages.panel(layout).center
+    return rect
+
+
+def answers(layout: Layout) -> list[pygame.Rect]:
+    """Return where the two answers are: to keep the match, and to end it."""
+    rect, pad, height = box(layout), layout.px(24), layout.px(pages.BUTTON)
+    bar = pygame.Rect(rect.x + pad, rect.bottom - pad - height, rect.w - 2 * pad, height)
+    return pages.row_of(bar, (1, 1), layout.px(10))
+
+
+def _answer_at(at: tuple[int, int], layout: Layout) -> int:
+    return next((k for k, rect in enumerate(answers(layout)) if rect.collidepoint(at)), -1)
