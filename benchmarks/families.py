@@ -216,6 +216,14 @@ def scatter_heap(world: World, dice: Random) -> None:
                 break
 
 
+def springs(k: int, dice: Random) -> Trial:
+    """What touches in other families, or nearly does, by the law of Hertz; any restitution."""
+    trial = (heaps, touching, sandwich, racks, cradles)[k % 5](k // 5, dice)
+    e = dice.choice((None, 1.0, 0.9, dice.uniform(0.01, 1.0)))
+    trial.world.cluster_law = laws.HertzCluster(e, dice.choice((0.0, 1e-8, 1e-6, 1e-4)))
+    return trial
+
+
 # name: (family, trials in the long run, trials in the short run)
 FAMILIES: dict[str, tuple[Family, int, int]] = {
     "shots": (shots, 100_000, 300),
@@ -229,6 +237,7 @@ FAMILIES: dict[str, tuple[Family, int, int]] = {
     "grazing": (grazing, 5000, 150),
     "convoys": (convoys, 600, 30),
     "heaps": (heaps, 2000, 40),
+    "springs": (springs, 2000, 40),
     "rejected": (rejected, 1000, 70),
     "stepped": (stepped, 240, 12),
     "landing": (landing, 500, 20),

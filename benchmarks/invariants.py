@@ -16,7 +16,7 @@ from physics import Event, World, laws
 
 OVERLAP = 1e-12  # m
 ROUNDING = 1e-12  # of the total energy or momentum
-TOUCHING = 1e-8  # m: contacts of a cluster may be this far apart, and so act off their line
+TOUCHING = 1e-8  # m, see _apart
 RECENT = 30  # events
 BLOWS = 16  # of a contact within one event of a cluster, that the floor may have lifted
 CREATIVE = (laws.ThesisCushion, laws.CappedCushion)  # push as if the ball rolled: make energy
@@ -183,7 +183,7 @@ def _jump_faults(world: World, parts: list[Legs], times: Any, epoch: float) -> l
         (step > OVERLAP)
         | (gain > floor)
         | (several & (drift > ROUNDING))
-        | (several & (twist > TOUCHING))
+        | (several & (twist > _apart(world)))
     )
     odd[0] = False  # the epoch begins
     return _named(world, np.nonzero(odd)[0], times, epoch, (step, gain, drift, twist))
@@ -209,9 +209,14 @@ def _named(world: World, odd: Any, times: Any, epoch: float, faults: tuple[Any, 
         if kinds == {"ball"} and not isinstance(world.ball_law, laws.ThesisBall):
             if drift[k] > ROUNDING:
                 found.append(f"momentum changes by {drift[k]:.3e} of all at t = {times[k]}")
-            if twist[k] > TOUCHING:
+            if twist[k] > _apart(world):
                 found.append(f"angular momentum changes by {twist[k]:.3e} m at t = {times[k]}")
     return found[:3]
+
+
+def _apart(world: World) -> float:
+    """m: how far apart the contacts of a cluster may be, and so rub off their line."""
+    return TOUCHING if world.cluster_law is None else max(TOUCHING, world.cluster_law.gap)
 
 
 def _states(parts: list[Legs], radius: Any, fade: float, times: Any, side: Any) -> list[Any]:
