@@ -47,7 +47,7 @@ def compiled_fan(shots: int) -> Callable[[], Any]:
     for k in range(shots):
         shot = directions[k % 720]
         v, w = shot.velocity(), shot.roll()
-        batch.starts[k, 0, 2:] = v.real, v.imag, w.real, w.imag, shot.side
+        batch.starts[k, 0, 2:7] = v.real, v.imag, w.real, w.imag, shot.side
     return batch
 
 

@@ -104,14 +104,11 @@ class Batch:
     def __init__(self, world: World, shots: int) -> None:
         import numpy as np
 
+        from physics.batch import start
         from physics.compiled import kernel, packed
 
         world.plan()
-        rows = [
-            (p.real, p.imag, v.real, v.imag, w.real, w.imag, ball.side)
-            for ball in world.scene.balls
-            for p, v, w in [(ball.position, ball.velocity, ball.roll)]
-        ]
+        rows = [start(ball) for ball in world.scene.balls]
         balls = len(rows)
         self.shots, self.scene, self.many = shots, packed(world.scene), kernel().calendar.many
         self.starts = np.repeat(np.array([rows]), shots, axis=0)

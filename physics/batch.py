@@ -120,15 +120,17 @@ def _table(shots: Any, np: Any) -> Any:
     return table
 
 
+def start(ball: body.Body) -> tuple[float, ...]:
+    """What the kernel sets a ball off with: position, velocity, roll, side, height, climb."""
+    p, v, w = ball.position, ball.velocity, ball.roll
+    return p.real, p.imag, v.real, v.imag, w.real, w.imag, ball.side, ball.height, ball.climb
+
+
 def _starts(world: World, name: str, table: Any, np: Any) -> Any:
-    """(shots, balls, 9): position, velocity, roll, side, height, climb of every ball when the shot
-    is struck."""
+    """(shots, balls, 9): the `start` of every ball when the shot is struck."""
     starts = np.empty((len(table), len(world.balls), 9))
     for k, ball in enumerate(world.copy().balls):
-        body = ball.disturb()
-        p, v, w = body.position, body.velocity, body.roll
-        starts[:, k, :6] = p.real, p.imag, v.real, v.imag, w.real, w.imag
-        starts[:, k, 6:] = body.side, body.height, body.climb
+        starts[:, k] = start(ball.disturb())
         if ball.name == name:
             speed, angle, follow, masse, side = table.T[:5]
             # one by one: numpy's own sine may differ in the last digit from the one that Shot uses
