@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import pygame
 
 from .actions import Action, of_key, of_text
+from .canvas import Canvas
 from .clock import RealClock, VirtualClock, seconds
 from .hearing import SILENCE, Ear
 from .options import Options
@@ -74,11 +75,12 @@ class App:
         self.script = script or Script([])
         self.screen = pygame.display.set_mode(options.size, pygame.RESIZABLE)
         pygame.display.set_caption(TITLE)
+        self.canvas = Canvas(self.screen)
         self.stats = Stats()
         self.preferences = preferences or Preferences()
-        sizes = self.screen.get_size(), *table_size(game.world)
-        self.view = View(game, *sizes, self.preferences)
-        self.ear = Ear(sizes[1] / 2)
+        length, width = table_size(game.world)
+        self.view = View(game, self.canvas.surface.get_size(), length, width, self.preferences)
+        self.ear = Ear(length / 2)
         self._world = game.world
         self.journal = journal
         self.replay = journal if isinstance(journal, Replay) else None
@@ -131,6 +133,8 @@ class App:
     def handle(self, event: pygame.event.Event) -> None:
         """Turn one event into what it means."""
         self.stats.inputs += 1
+        if event.type in MOUSE:
+            event = self.canvas.translated(event)
         if event.type == pygame.QUIT:
             self.perform(Action("quit"))
         elif self.replay is not None and event.type in OVERLAID:
@@ -276,10 +280,10 @@ class App:
                 self.view.release()
 
     def _resize(self) -> None:
-        size = pygame.display.get_window_size()
-        if size != self.view.sight.layout.size:
+        if pygame.display.get_window_size() != self.canvas.size:
             self.screen = pygame.display.get_surface() or self.screen
-            self.view.resize(self.screen.get_size())
+            self.canvas = Canvas(self.screen)
+            self.view.resize(self.canvas.surface.get_size())
             self.preferences.settings.size = self.screen.get_size()
             self._shown_version = -1
 
@@ -320,7 +324,7 @@ class App:
             self.stats.skipped += 1
             return False
         self._shown_version = self.game.version
-        dirty = self.view.draw(self.screen)
+        dirty = self.canvas.show(self.view.draw(self.canvas.surface))
         if not dirty:
             self.stats.skipped += 1
             return False

@@ -77,14 +77,21 @@ def enter(app: App, *texts: str) -> None:
 
 
 def click(app: App, at: tuple[float, float], to: tuple[float, float] | None = None) -> None:
-    """Press the left button, drag if asked, release."""
-    at = (round(at[0]), round(at[1]))
-    end = at if to is None else (round(to[0]), round(to[1]))
+    """Press the left button at a place of the picture, drag if asked, release."""
+    at = in_window(app, at)
+    end = at if to is None else in_window(app, to)
     kinds = pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION, pygame.MOUSEBUTTONUP
     for kind, pos in zip(kinds, (at, at, end, end), strict=True):
         event = pygame.event.Event(kind, pos=pos, button=1, rel=(0, 0), buttons=(1, 0, 0))
         pygame.event.post(event)
     app.frame(FRAME)
+
+
+def in_window(app: App, at: tuple[float, float]) -> tuple[int, int]:
+    """Where in the window a place of the picture is."""
+    canvas = app.canvas
+    x, y = (int(side / canvas.scale) for side in at)
+    return x + canvas.part.x, y + canvas.part.y
 
 
 def run_to_rest(app: App) -> None:
@@ -111,5 +118,5 @@ def assert_same_as_anew(app: App) -> None:
     app.render()
     partly = pixels(app)
     app.view.expose()
-    app.view.draw(app.screen)
+    app.canvas.show(app.view.draw(app.canvas.surface))
     assert pixels(app) == partly

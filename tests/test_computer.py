@@ -161,7 +161,7 @@ def test_undo_goes_back_to_a_persons_turn(quick):
 
 
 def test_random_events_in_a_match_neither_crash_nor_spoil_the_picture(quick):
-    rng, app = random.Random(8), an_app(size=(640, 360), game="four-ball", level="novice")
+    rng, app = random.Random(25), an_app(size=(640, 360), game="four-ball", level="novice")
     keys = ["f10", "f4", "f5", "f3", "escape", "return", "tab", "up", "down", "left", "right", "b",
             "end", "space", "r", "z", "y", "n", "pageup", "delete", "backspace", "5", "ctrl+return",
             "ctrl+c", "f2", "f1", "p"]  # fmt: skip
@@ -172,7 +172,7 @@ def test_random_events_in_a_match_neither_crash_nor_spoil_the_picture(quick):
             case 0:
                 write(app, rng.choice("0123가a.-"))
             case 1:
-                click(app, (rng.randrange(640), rng.randrange(360)))
+                click(app, (rng.randrange(960), rng.randrange(540)))
             case _:
                 press(app, rng.choice(keys))
         if app.game.over:

@@ -180,9 +180,9 @@ def test_random_events_neither_crash_the_game_nor_spoil_the_picture(seed, scene)
             case 2:
                 write(app, rng.choice("0123456789.-+e가nf"))
             case 3:
-                click(app, (rng.randrange(640), rng.randrange(360)))
+                click(app, (rng.randrange(960), rng.randrange(540)))
             case _:
-                at, to = ((rng.randrange(640), rng.randrange(360)) for _ in range(2))
+                at, to = ((rng.randrange(960), rng.randrange(540)) for _ in range(2))
                 click(app, at, to)
     assert not app.game.over
 

@@ -29,7 +29,7 @@ def test_every_action_and_every_choice_has_its_words(language):
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("size", [(640, 360), (960, 540), (1280, 720), (1920, 1080)])
+@pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080)])
 @pytest.mark.parametrize("table", setup.TABLES)
 def test_choices_stay_in_their_rows_and_rows_in_the_sheet(language, size, table):
     sight = an_app(size=size, lang=language, table=table).view.sight

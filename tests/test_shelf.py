@@ -111,7 +111,7 @@ def test_a_ball_dragged_around_the_table_never_overlaps_anything():
     press(app, "b")
     for _ in range(40):
         start = layout.to_screen(*rng.choice(balls).position)
-        click(app, start, (rng.randrange(640), rng.randrange(360)))
+        click(app, start, (rng.randrange(960), rng.randrange(540)))
         for a, b in product(balls, balls):
             gap = abs(complex(*a.position) - complex(*b.position))
             assert a is b or gap >= 2 * R

@@ -152,8 +152,6 @@ def readouts(
     surface: pygame.Surface, rect: pygame.Rect, type_: Type, items: Sequence[tuple[str, str, str]]
 ) -> pygame.Rect:
     """Draw some (label, value, unit) side by side with thin dividers."""
-    if not rect.h:
-        return rect
     s = type_.s
     card(surface, rect, s)
     step = (rect.w - round(24 * s)) / len(items)

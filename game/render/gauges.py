@@ -74,11 +74,10 @@ def tip(
     _miscue_ring(surface, (x, y), LIMIT * radius, s, refused)
     _marker(surface, (x + point[0] * radius, y - point[1] * radius), radius, s, safe)
     right = rect.right - 12 * s
-    row, below = max(38 * s, 27), max(18 * s, 13)  # text never gets smaller than 11 px
     for i, (label, value) in enumerate(values):
-        base = rect.y + 50 * s + row * i
+        base = rect.y + (50 + 38 * i) * s
         type_.draw(surface, label, (right, base), 13, theme.TEXT_SOFT, "right")
-        type_.draw(surface, value, (right, base + below), 17, theme.TEXT, "right")
+        type_.draw(surface, value, (right, base + 18 * s), 17, theme.TEXT, "right")
     return rect
 
 
@@ -169,8 +168,6 @@ def thickness(
 
     `overlap` is 0 to 1, negative where the cue ball passes on the other side; None of it is text.
     """
-    if not rect.h:
-        return rect
     s = type_.s
     card(surface, rect, s)
     type_.draw(surface, title, (rect.x + 12 * s, rect.y + 24 * s), 13, theme.TEXT_SOFT)
@@ -191,8 +188,6 @@ def thickness(
 
 def eighth_boxes(rect: pygame.Rect, s: float) -> list[pygame.Rect]:
     """Return where the exact eighths of `EIGHTHS_SHOWN` are chosen, in the thickness card."""
-    if not rect.h:
-        return []
     count, width = len(EIGHTHS_SHOWN), 112 * s
     left = rect.right - 66 * s - width / 2
     top, height = rect.bottom - round(27 * s), round(22 * s)

@@ -15,17 +15,15 @@ WOOD = 0.088
 BORDER = CUSHION + WOOD
 PANEL_LEAST, PANEL_MOST = 284, 480
 """Width of the right column, px at s = 1."""
-DROPPED = {"averages": 0.75, "bars": 0.70, "readouts": 0.65, "thickness": 0.60}
-"""The scale s below which each of these is left out, so that the rest stays readable."""
 
 
 @dataclass(frozen=True)
 class Layout:
-    """The rectangles of a window of `size` px with a table of `length` x `width` metres.
+    """The rectangles of a picture of `size` px with a table of `length` x `width` metres.
 
     Four rows from the top (score, table, fields, timeline) and a column at their right.  Everything
-    is a multiple of `s`, the scale at which 1280 x 720 is 1; a window of another shape is filled by
-    a wider column, then by margins.
+    is a multiple of `s`, the scale at which 1280 x 720 is 1; one of another shape is filled by a
+    wider column, then by margins.  Below 960 x 540 texts, never less than 11 px, would not fit.
     """
 
     size: tuple[int, int]
@@ -40,10 +38,6 @@ class Layout:
     def px(self, design: float) -> int:
         """Return a length given in px at s = 1 in whole px of this window, at least 1."""
         return max(1, round(design * self.s))
-
-    def shows(self, part: str) -> bool:
-        """Say whether there is room for `part`, one of "averages" "bars" "readouts" "thickness"."""
-        return self.s >= DROPPED[part] - 1e-9
 
     @cached_property
     def scale(self) -> float:
@@ -122,12 +116,12 @@ class Layout:
 
     @cached_property
     def thickness(self) -> Rect:
-        """Aim panel: the overlap with the object ball; empty where it is dropped."""
+        """Aim panel: the overlap with the object ball."""
         return self._aim_cards[2]
 
     @cached_property
     def readouts(self) -> Rect:
-        """Aim panel: the three speeds; empty where they are dropped."""
+        """Aim panel: the three speeds."""
         return self._aim_cards[3]
 
     @cached_property
@@ -139,14 +133,12 @@ class Layout:
     def log(self) -> Rect:
         """After panel: the list of events."""
         top = self.result.bottom + self.px(8)
-        below = self.readouts_after.h + self.px(8) if self.readouts_after.h else 0
-        return self._column(top, self.panel.bottom - below - top)
+        return self._column(top, self.readouts_after.y - self.px(8) - top)
 
     @cached_property
     def readouts_after(self) -> Rect:
-        """After panel: the three speeds; empty where they are dropped."""
-        height = self.px(72) if self.shows("readouts") else 0
-        return self._column(self.panel.bottom - height, height)
+        """After panel: the three speeds."""
+        return self._column(self.panel.bottom - self.px(72), self.px(72))
 
     def to_screen(self, x: float, y: float) -> tuple[float, float]:
         """Return the screen point of the table point (x, y) in metres."""
@@ -196,15 +188,9 @@ class Layout:
 
     @cached_property
     def _aim_cards(self) -> list[Rect]:
-        """Tip, power, thickness and read-outs; the tip card takes the room of those dropped."""
-        shares = {"tip": 0.45, "power": 0.155, "thickness": 0.185, "readouts": 0.0}
-        shown = [n for n in shares if n not in DROPPED or self.shows(n)]
-        gap = self.px(8)
-        heights = {n: round(self.panel.h * shares[n]) if n in shown else 0 for n in shares}
-        rest = "readouts" if "readouts" in shown else "tip"
-        heights[rest] += self.panel.h - gap * (len(shown) - 1) - sum(heights.values())
-        cards, top = [], self.panel.y
-        for name, height in heights.items():
-            cards.append(self._column(top, height))
-            top += height + (gap if name in shown else 0)
-        return cards
+        """Tip, power, thickness, and read-outs in the room that is left."""
+        gap, top, cards = self.px(8), self.panel.y, []
+        for share in (0.45, 0.155, 0.185):
+            cards.append(self._column(top, round(self.panel.h * share)))
+            top = cards[-1].bottom + gap
+        return [*cards, self._column(top, self.panel.bottom - top)]

@@ -169,8 +169,6 @@ def thickness_wheel(steps: int, sight: Sight) -> Action:
 
 
 def _nothing_met(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
-    if not rect.h:
-        return rect
     s, t, w = sight.layout.s, sight.type, sight.words
     cards.card(surface, rect, s)
     t.draw(surface, w["thickness"], (rect.x + 12 * s, rect.y + 24 * s), 13, TEXT_SOFT)

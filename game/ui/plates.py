@@ -39,13 +39,11 @@ def match_draw(contest: Contest, surface: pygame.Surface, sight: Sight) -> None:
 def _plate(
     surface: pygame.Surface, rect: pygame.Rect, sight: Sight, contest: Contest, index: int
 ) -> None:
-    match, layout = contest.match, sight.layout
+    match = contest.match
     sheet, target = match.sheets[index], match.players[index].target
     playing = match.winner == index if match.finished else match.at == index
     said, tone = _line(sight, contest, index)
-    share = sheet.score / target if target and layout.shows("bars") else None
-    if layout.size[0] < 900 or tone is not None:
-        share = None
+    share = sheet.score / target if target and tone is None else None
     names = [ball.name for ball in sight.game.world.balls]
     ball = sight.portrait(names.index(match.cue_of(index))) if sight.portrait else None
     cards.score(
@@ -53,7 +51,7 @@ def _plate(
         rect,
         sight.type,
         player_name(contest.fixture, index, sight.words),
-        said if layout.shows("averages") or tone is not None else "",
+        said,
         number(sheet.score, 0),
         str(target),
         playing,

@@ -27,10 +27,6 @@ from .shelf import Shelf
 from .stage import Stage
 from .touch import Pointer
 
-LEAST = (640, 360)
-"""A window smaller than this shows its contents cut off rather than unreadably small."""
-
-
 STILL = 0.15
 """Seconds after which an aim counts as still."""
 BATCH = 2
@@ -104,13 +100,12 @@ class View:
         self.stage.take_over(before)
 
     def _fit(self, size: tuple[int, int]) -> None:
-        size = max(size[0], LEAST[0]), max(size[1], LEAST[1])
         layout = Layout(size, *self._table)
         given = self.pointer, self.preferences, self.spread
         self.sight = Sight(self.game, layout, Type(layout.s), *given)
         self.stage = Stage(layout, self.game, self.preferences.settings, self.spread)
         self.sight.portrait = self.stage.sprites.portrait
-        self.parts = [p for p in fixed_parts(layout) + shot_parts(layout) if p.rect.w and p.rect.h]
+        self.parts = fixed_parts(layout) + shot_parts(layout)
         self._drawn: dict[str, Hashable] = {}
         self._mode = ""
         self._news: tuple[int, str, str] | None = None
