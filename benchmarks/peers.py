@@ -115,7 +115,7 @@ def own() -> list[Peer]:
 def others() -> tuple[list[Peer], list[str]]:
     """(the peers that are installed, what to say of the others)."""
     found, missing = [], []
-    for module, package in (("pymunk", "pymunk"), ("pooltool", "pooltool-billiards")):
+    for module, package in (("pymunk", "'.[peers]'"), ("pooltool", "pooltool-billiards")):
         if find_spec(module):
             from importlib import import_module
 

@@ -10,7 +10,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .ball import Ball
-from .checks import LARGEST
+from .checks import LARGEST, array
 from .engine import EventDriven
 from .kernel import body, calendar
 from .laws import ForeignRule
@@ -54,10 +54,14 @@ def simulate_many(
     interpreter; None takes numba where it is installed and worth it. The digits are the same,
     and those of `simulate` if all balls lie still before the shot.
     progress is called with the number of shots done since it was last called.
-    ValueError names a bad shot; EventBudgetError as in a run.
+    ValueError names a bad shot, executor or progress; EventBudgetError as in a run.
     """
     import numpy as np
 
+    if executor is not None and not hasattr(executor, "submit"):
+        raise ValueError(f"simulate_many executor must have a submit, not be {executor!r}")
+    if progress is not None and not callable(progress):
+        raise ValueError(f"simulate_many progress must be callable, not {progress!r}")
     world.plan()
     table = _table(shots, np)
     job, rows = _job(world, world.ball(ball).name, table, compiled, np)
@@ -105,7 +109,7 @@ def _table(shots: Any, np: Any) -> Any:
     try:
         if not isinstance(shots, np.ndarray):
             shots = [_numbers(shot) if isinstance(shot, Shot) else shot for shot in shots]
-        table = np.asarray(shots, float) if len(shots) else np.empty((0, 6))
+        table = array("shots", shots) if len(shots) else np.empty((0, 6))
     except (TypeError, ValueError):
         raise ValueError(
             f"shots must be Shots or rows of 5 or 6 numbers, not {shots!r:.80}"

@@ -1,8 +1,10 @@
 """The shape of the code: imports run one way, functions and files stay small."""
 
 import ast
+import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -89,6 +91,19 @@ def test_no_module_of_physics_imports_itself_in_a_circle():
 
     for name in graph:
         visit(name, ())
+
+
+def test_whatever_is_imported_is_required_by_an_extra_at_least():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    extras = project["optional-dependencies"].values()
+    lines = [*project["dependencies"], *(line for extra in extras for line in extra)]
+    required = {name for line in lines for name in re.findall(r"\w+", line.split(">")[0])}
+    parts = ("physics", "game", "assets", "benchmarks", "tests", "docs", "tools")
+    paths = [path for part in parts for path in (ROOT / part).rglob("*.py")]
+    used = set().union(*map(imported, paths)) - sys.stdlib_module_names - set(parts)
+    used -= {path.stem for path in paths}
+    used -= {"pooltool"}  # its own requirements disagree with ours (docs/benchmarks.md, "Peers")
+    assert {{"PIL": "pillow"}.get(name, name) for name in used} <= required
 
 
 def test_physics_prints_nothing_and_draws_no_chance():

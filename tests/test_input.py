@@ -145,12 +145,20 @@ def test_things_that_cannot_be_are_not_made(make, message):
     "shots",
     [
         Shot(3.0), [[3.0, 10.0, 0.5]], np.ones((5, 10)), np.ones(5), np.ones((2, 5, 1)),
-        ["fast"], [None], 3.0,
+        ["fast"], [None], 3.0, [["3.0", "10", "0.5", "0", "1.5"]], [[True] * 5],
+        np.full((2, 5), "1"), np.ones((2, 5), complex),
     ],
 )  # fmt: skip
 def test_shots_of_the_wrong_shape_are_not_taken_for_others(shots):
     with pytest.raises(ValueError, match="shots must be"):
         simulate_many(scenes.carom(), "white", shots)
+
+
+@pytest.mark.parametrize("wrong", [{"executor": 2}, {"progress": 10}, {"progress": "bar"}])
+def test_who_cannot_help_with_a_batch_is_refused_before_it_begins(wrong):
+    (name, value), = wrong.items()
+    with pytest.raises(ValueError, match=f"simulate_many {name} must .* {value!r}"):
+        simulate_many(scenes.carom(), "nobody", [Shot(3.0)], **wrong)
 
 
 def test_a_ball_keeps_its_name():
