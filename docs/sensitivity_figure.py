@@ -25,7 +25,7 @@ SHOTS = 150
 def scattered(world, struck, shots, chance):
     """The same shot with errors, over and over: finished worlds."""
     for _ in range(shots):
-        numbers = chance.normal(astuple(SHOT), ERRORS)
+        numbers = chance.normal(astuple(SHOT)[:5], ERRORS)
         yield simulate(world, struck, Shot(*numbers))
 
 
