@@ -1,23 +1,16 @@
 """Balls that touch when one of them is hit: published checks M1 to M4, and what always holds."""
 
-import json
 from cmath import phase
 from math import cos, degrees, pi, sin, sqrt
-from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from published import CHECKS
 
 from physics import Ball, Cloth, EventDriven, Shot, World, laws, scenes, simulate_many
 from physics.hertz import damping
 
-CHECKS = {
-    check["id"]: check
-    for check in json.loads((Path(__file__).parent / "data" / "validation.json").read_text())[
-        "checks"
-    ]
-}
 R = 0.03275
 PAIR = (1.0 + 0j, 0.5 * sqrt(3.0) + 0.5j, 0.5 * sqrt(3.0) - 0.5j)
 RACK = [0.5 * sqrt(3.0) * row + 1j * (k - 0.5 * row) for row in range(5) for k in range(row + 1)]

@@ -1,19 +1,12 @@
 """The cue model: published checks S1, S3 and S4, and what must hold for every stroke."""
 
-import json
 from math import cos, radians, sin, sqrt
-from pathlib import Path
 
 import pytest
+from published import CHECKS
 
 from physics import Ball, CueStroke, tables
 
-CHECKS = {
-    check["id"]: check
-    for check in json.loads((Path(__file__).parent / "data" / "validation.json").read_text())[
-        "checks"
-    ]
-}
 WHITE = Ball("white", at=(0.0, 0.0), mass=0.21, radius=0.03075)
 
 

@@ -212,3 +212,79 @@ def test_a_world_that_has_not_run_yet_has_a_trace_of_one_moment():
     times, paths = trace(scenes.carom())
     assert times.tolist() == [0.0]
     assert [tuple(p) for p in paths[0]] == [ball.position for ball in scenes.carom().balls]
+
+
+@pytest.mark.parametrize("bad", [nan, inf, -inf, "x", None])
+def test_numbers_that_are_none_are_refused_by_name(bad):
+    world = scenes.carom()
+    white = world.balls[0]
+    before = [(ball.position, ball.velocity, ball.spin) for ball in world.balls]
+    for what, value in (("position", (bad, 0)), ("velocity", (0, bad)), ("spin", (0, 0, bad))):
+        with pytest.raises(ValueError, match=f"'white': {what} must be"):
+            setattr(white, what, value)
+    with pytest.raises(ValueError, match=r"Shot\.angle"):
+        Shot(1.0, bad)
+    with pytest.raises(ValueError, match="radius"):
+        Ball("x", at=(0, 0), radius=bad)
+    with pytest.raises(ValueError, match=r"Cloth\.slide"):
+        Cloth(slide=bad)
+    assert [(ball.position, ball.velocity, ball.spin) for ball in world.balls] == before
+
+
+@pytest.mark.parametrize("value", [0.0, -1.0])
+def test_what_must_be_positive_is(value):
+    with pytest.raises(ValueError, match="radius must be above zero"):
+        Ball("x", at=(0, 0), radius=value)
+    with pytest.raises(ValueError, match="mass must be above zero"):
+        Ball("x", at=(0, 0), mass=value)
+    with pytest.raises(ValueError, match=r"Shot\.speed must be above zero"):
+        Shot(value)
+
+
+def test_overlapping_and_outside_balls_are_refused_and_the_world_stays_as_it_was():
+    world = scenes.carom()
+    world.balls[0].position = (0.6, 0.05)
+    with pytest.raises(ValueError, match=r"'(white|yellow)'.*'(white|yellow)'.* overlap"):
+        world.run()
+    assert world.time == 0.0
+    assert world.balls[0].position == (0.6, 0.05)
+    world.balls[0].position = (1.26, 0.0)
+    with pytest.raises(ValueError, match=r"'white'.*outside the wall 'east'"):
+        world.step(0.1)
+    world.balls[0].position = (0.0, 0.0)
+    world.run()
+
+
+def test_time_runs_forward_only():
+    world = scenes.carom()
+    world.strike("white", Shot(3.0, 37.0))
+    world.run(until=1.0)
+    for bad in (nan, 0.5, -inf):
+        with pytest.raises(ValueError, match="until"):
+            world.run(until=bad)
+    for bad in (nan, -1e-9, inf):
+        with pytest.raises(ValueError, match="dt"):
+            world.step(bad)
+    assert world.time == 1.0
+
+
+def test_names_are_unique_and_balls_live_in_one_world():
+    world = scenes.carom()
+    with pytest.raises(ValueError, match="'white'"):
+        world.add(Ball("white", at=(0.5, 0.5)))
+    with pytest.raises(ValueError, match="'red' is in a world already"):
+        World().add(world.ball("red"))
+    with pytest.raises(ValueError, match="no ball 'blue'"):
+        world.strike("blue", Shot(1.0))
+
+
+def test_unknown_laws_are_refused_with_the_names_there_are():
+    world = World()
+    with pytest.raises(ValueError, match="rigid"):
+        world.cushion_law = "bouncy"
+    with pytest.raises(ValueError, match="ball law"):
+        world.ball_law = 3
+    with pytest.raises(ValueError, match=r"RoughBall\.mu"):
+        laws.RoughBall(0.9, "smooth")
+    with pytest.raises(ValueError, match=r"SmoothBall\.e must be from 0 to 1"):
+        laws.SmoothBall(1.1)

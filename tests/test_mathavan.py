@@ -2,25 +2,17 @@
 
 import cmath
 import importlib
-import json
 import math
 from itertools import pairwise
 from math import cos, degrees, inf, radians, sin, sqrt
-from pathlib import Path
 
 import numpy as np
 import pytest
+from published import CHECKS
 
 from physics.kernel import mathavan
 from physics.kernel.body import Rule
 from physics.kernel.mathavan import mathavan_cushion
-
-CHECKS = {
-    check["id"]: check
-    for check in json.loads((Path(__file__).parent / "data" / "validation.json").read_text())[
-        "checks"
-    ]
-}
 
 
 def rule(e, friction, nose, slide=0.212, parting=0.0):
