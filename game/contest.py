@@ -95,6 +95,13 @@ class Contest:
         self.match = self.match.after(self.verdict)
         self.seat(game)
 
+    def settled(self, game: Game) -> Verdict | None:
+        """The verdict on the stroke that still runs, once nothing can change it any more."""
+        if not self.pending:
+            return None
+        so_far = self.match.judged(game.world.log.contacts())
+        return so_far if self.match.rules.settles(so_far) else None
+
     def seat(self, game: Game) -> None:
         """Give cue ball and boxes to the player at the table, aimed at a ball to hit first."""
         game.cue = self.match.cue

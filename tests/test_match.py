@@ -200,6 +200,37 @@ def test_what_comes_after_the_opponents_ball_changes_no_foul(
     assert (later.reason, later.points, later.facts.path) == ("opponent_ball", -1, done.facts.path)
 
 
+@given(st.lists(THREE_STEPS, max_size=10), st.booleans(), st.sampled_from([0, 1, 3]))
+def test_a_verdict_that_is_settled_in_mid_stroke_is_the_last_one(
+    steps: list[str], opening: bool, cushions: int
+) -> None:
+    rules, turn = Carom(cushions, bank=2), Turn(opening=opening, score=3, target=4)
+    last = rules.verdict(log(*steps), turn)
+    for count in range(len(steps)):
+        so_far = rules.verdict(log(*steps[:count]), turn)
+        if rules.settles(so_far):
+            assert outcome(so_far) == outcome(last)
+    hit = {YELLOW, RED} & {*steps}
+    assert rules.settles(last) == (len(hit) == 2 or (last.reason == "opening_not_red"))
+
+
+@given(st.lists(STEPS, max_size=10), FINISH, st.integers(0, 4))
+def test_in_4_ball_a_foul_is_settled_and_a_point_is_not(
+    steps: list[str], finish: str, score: int
+) -> None:
+    rules, turn = Sagu(finish), Turn(score=score, target=4)
+    last = rules.verdict(log(*steps), turn)
+    for count in range(len(steps)):
+        so_far = rules.verdict(log(*steps[:count]), turn)
+        if rules.settles(so_far):
+            assert outcome(so_far) == outcome(last)
+    assert rules.settles(last) == (YELLOW in steps)
+
+
+def outcome(verdict: Verdict) -> tuple[object, ...]:
+    return verdict.reason, verdict.points, verdict.made, verdict.foul, verdict.won, verdict.passes
+
+
 @given(st.lists(THREE_STEPS, max_size=8))
 def test_the_order_of_names_in_an_entry_means_nothing(steps: list[str]) -> None:
     turned = [Entry(e.time, e.kind, e.balls[::-1], e.wall) for e in log(*steps)]

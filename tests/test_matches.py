@@ -4,11 +4,13 @@ from math import cos, radians, sin
 
 import pygame
 from matches import choose, menu_button, opening_numbers, scores, told
-from players import an_app, assert_same_as_anew, click, enter, press, run_to_rest
+from players import FRAME, an_app, assert_same_as_anew, click, enter, press, run_to_rest
 
+from game.actions import Action
+from game.match.positions import opening
 from game.render.gauges import tip_circle
 from game.text import words
-from game.ui import plates, prompts
+from game.ui import panels, plates, prompts
 from game.ui.parts import hint
 
 
@@ -74,6 +76,56 @@ def test_an_inning_of_4_ball_by_mouse_alone():
     click(app, layout.shoot.center)
     assert game.contest.match.at == 1
     assert game.cue == "yellow"
+
+
+def shown(app):
+    """Badge and first line of the result card."""
+    return panels._result_look(app.view.sight)[:2]
+
+
+def when(app, happened):
+    """Let time pass frame by frame until something has happened; the balls still roll then."""
+    while not happened():
+        assert app.game.moving
+        app.frame(FRAME)
+    assert app.game.moving
+
+
+def test_a_cannon_shows_on_the_card_as_soon_as_the_second_ball_is_hit():
+    app = an_app(game="three-cushion", table="match")
+    angle, speed, right, up = opening("three_cushion").answer
+    turn = 2.5 * speed
+    numbers = f"speed {speed} follow {turn * up} masse 0 side {turn * right} angle {angle}"
+    app.perform(Action("set", numbers))
+    app.perform(Action("shoot"))
+    when(app, lambda: app.game.counts[0] == 1)
+    assert shown(app) == ("1", "One ball met")
+    when(app, lambda: app.game.counts[0] == 2)
+    early = shown(app)
+    assert early[0] == "+1"
+    assert scores(app) == [0, 0]
+    assert_same_as_anew(app)
+    run_to_rest(app)
+    assert told(app)[:2] == early
+    assert scores(app) == [1, 0]
+
+
+def test_a_foul_of_4_ball_shows_at_once_and_a_point_when_it_cannot_be_lost_any_more():
+    app = an_app(game="four-ball")
+    enter(app, *opening_numbers())
+    press(app, "return")
+    when(app, lambda: app.game.counts[0] == 2)
+    assert shown(app) == ("2", "2 balls met")  # the yellow one may still be hit
+    run_to_rest(app)
+    assert shown(app)[0] == "+1"
+    app.game.lay([(0.6, 0.3), (0.9, 0.3), (-0.6, 0.3), (-0.6, -0.3)])
+    press(app, "return")
+    enter(app, "1", "0", "0", "0", "0")
+    press(app, "return")
+    when(app, lambda: app.game.counts[0] == 1)
+    assert shown(app) == ("−1", "Foul: opponent's ball")
+    run_to_rest(app)
+    assert told(app)[:2] == ("−1", "Foul: opponent's ball")
 
 
 def test_the_plates_show_turn_score_and_the_last_point():

@@ -78,6 +78,10 @@ class Carom:
             return Verdict(ONE_BALL, facts=facts(done))
         return self._both(done, max(hits.values()), turn)
 
+    def settles(self, verdict: Verdict) -> bool:
+        """The second ball settles all, and so does a first one that the opening may not hit."""
+        return verdict.reason not in (NO_BALL, ONE_BALL)
+
     def _foul(self, reason: str, turn: Turn, done: Stroke, decided: float | None) -> Verdict:
         loss = turn.loss(self.penalty, floor_zero=self.floor_zero)
         return Verdict(reason, loss, foul=True, facts=facts(done, decided))

@@ -28,5 +28,8 @@ class Free:
     def needs(self, turn: Turn) -> int:
         return 0
 
+    def settles(self, verdict: Verdict) -> bool:
+        return False
+
     def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
         return Verdict(FREE, passes=False, facts=facts(stroke(log, turn.cue)))

@@ -92,6 +92,10 @@ class Rules(Protocol):
         """What the stroke was worth: `log` holds its events alone, in order of time."""
         ...
 
+    def settles(self, verdict: Verdict) -> bool:
+        """Whether a verdict on a stroke that still runs is its last: no contact can change it."""
+        ...
+
 
 def facts(done: Stroke, decided: float | None = None) -> Facts:
     """The facts of a stroke that was decided at the time `decided`."""

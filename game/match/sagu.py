@@ -72,6 +72,10 @@ class Sagu:
             return Verdict(ONE_RED, facts=facts(done))
         return self._both(done, reds[1], turn)
 
+    def settles(self, verdict: Verdict) -> bool:
+        """A foul on the opponent's ball stays; a point is open while that ball may yet be met."""
+        return verdict.reason in (OPPONENT_BALL, OFF_TABLE)
+
     def _foul(self, reason: str, turn: Turn, seen: Facts) -> Verdict:
         return Verdict(
             reason, turn.loss(self.penalty, floor_zero=self.floor_zero), foul=True, facts=seen

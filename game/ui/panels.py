@@ -83,6 +83,9 @@ def _result_look(sight: Sight) -> plates.Result:
     first = w[f"result.balls.{min(balls, 2)}"].format(count=balls)
     line = w["result.line.1" if cushions == 1 else "result.line"]
     second = line.format(cushions=cushions, time=number(time))
+    if contest is not None and (settled := contest.settled(sight.game)):
+        badge, tone = plates.counted(settled)
+        return badge, plates.reason(settled, w), second, tone
     return str(balls), first, second, TEXT
 
 

@@ -117,20 +117,23 @@ def _alone(surface: pygame.Surface, rect: pygame.Rect, sight: Sight, contest: Co
 def result(contest: Contest, verdict: Verdict, sight: Sight) -> Result:
     """Badge, two lines and the badge's colour for the last stroke."""
     w, match, index = sight.words, contest.match, contest.shooter
-    first = reason(verdict, w)
+    first, (badge, tone) = reason(verdict, w), counted(verdict)
     if verdict.won:
         name = player_name(contest.fixture, index, w)
         sheet = match.sheets[index]
         told = _counted("fact.innings", sheet.innings, w)
         told += " · " + w["score.average"].format(n=number(sheet.average))
-        badge = f"+{verdict.points}" if verdict.points else "✓"
-        return badge, w["score.wins"].format(name=name), f"{told} · {first}", GOOD
-    second = " · ".join(_facts(contest, verdict, w))
+        return badge, w["score.wins"].format(name=name), f"{told} · {first}", tone
+    return badge, first, " · ".join(_facts(contest, verdict, w)), tone
+
+
+def counted(verdict: Verdict) -> tuple[str, Colour]:
+    """Badge and its colour for what a stroke counts."""
     if verdict.foul:
-        return number(verdict.points, 0), first, second, ERROR
+        return number(verdict.points, 0), ERROR
     if verdict.made:
-        return f"+{verdict.points}", first, second, GOOD
-    return "0", first, second, TEXT
+        return f"+{verdict.points}" if verdict.points else "✓", GOOD
+    return "0", TEXT
 
 
 def _facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
