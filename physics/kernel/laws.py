@@ -24,9 +24,9 @@ def rebound(closing, rule):
 def friction(slip, most, yielding):
     """Against the slip, no more than `most` and no more than stops it."""
     speed = length(slip)
-    if speed <= most * yielding:
-        return -1.0 / yielding * slip
-    return -most / speed * slip
+    if speed > most * yielding and speed > 0.0:
+        return -most / speed * slip
+    return -1.0 / yielding * slip
 
 
 @kernel
