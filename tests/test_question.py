@@ -2,7 +2,7 @@
 
 import pygame
 import pytest
-from matches import opening_numbers
+from matches import menu_button, opening_numbers
 from players import FRAME, an_app, assert_same_as_anew, click, enter, pixels, places, press, write
 
 from game.text import LANGUAGES, words
@@ -91,6 +91,27 @@ def test_a_set_up_from_the_shelf_asks_too(app):
     assert everything(app) == before
     answer(app, "end")
     assert app.game.contest is None
+
+
+def test_a_new_game_from_the_menu_asks_too(app):
+    before = everything(app)
+    press(app, "f10")
+    start = menu_button(app, "start")
+    click(app, start)
+    assert app.view.question is not None
+    press(app, "escape")
+    assert app.game.sheet == "menu"
+    assert everything(app) == before
+    click(app, start)
+    answer(app, "end")
+    assert app.game.sheet == ""
+    assert app.game.contest.match.opening
+    press(app, "f10")
+    click(app, start)  # nothing has been played yet
+    assert app.view.question is None
+    press(app, "ctrl+return", "f10")
+    click(app, start)
+    assert app.view.question is not None
 
 
 def test_nothing_is_asked_on_the_free_table_or_when_the_match_is_over():

@@ -15,7 +15,7 @@ from . import pages
 from .parts import Sight
 
 ENDING = ("table", "line", "scene")
-"""Actions that begin on another table, and so end a match."""
+"""Actions that begin something else, and so end a match."""
 WIDTH, HEIGHT = 480, 150
 ANSWERS = ("keep", "end")
 STEPS = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_UP: -1, pygame.K_DOWN: 1, pygame.K_TAB: 1}
@@ -23,9 +23,11 @@ GIVEN = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
 
 
 def due(action: Action, game: Game) -> bool:
-    """Would the action end a match that is being played?"""
-    running = game.contest is not None and not game.contest.match.finished
-    return running and action.name in ENDING
+    """Would the action end a match that is being played?  A new one may replace one not begun."""
+    if game.contest is None or game.contest.match.finished:
+        return False
+    begun = game.moving or not game.contest.match.opening
+    return action.name in ENDING or (action.name == "match" and begun)
 
 
 class Question:
