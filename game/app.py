@@ -254,7 +254,7 @@ class App:
     def _sheet(self, event: pygame.event.Event) -> None:
         """Take an event that is meant for the page over the table."""
         self._shown_version = -1
-        action = self.view.turn_to(event)
+        action = self.view.pass_on(event)
         if action is not None:
             self.view.expose()  # what it changes shows behind the page too
             self.perform(action)

@@ -69,7 +69,7 @@ class View:
         """Do characters go into the page over the table?"""
         return self.question is None and self.sheet.typing
 
-    def turn_to(self, event: pygame.event.Event) -> Action | None:
+    def pass_on(self, event: pygame.event.Event) -> Action | None:
         """Return what an event means for the page over the table, or for the question over it."""
         if self.question is not None:
             return self._answer(self.question, event)
