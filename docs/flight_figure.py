@@ -32,7 +32,7 @@ def side_view(axes, after, until, start):
     """Where the balls' centres go, from the side; each ball at the start and once a beat."""
     times = np.linspace(0.0, until, 800)
     states = [after.log.at(time) for time in times]
-    gone = {event.balls[0]: event.time for event in after.log if event.kind == "gone"}
+    gone = {event.balls[0]: event.time for event in after.log if event.kind == "off"}
     for name, colour in LOOKS.items():
         seen = [s[name] for t, s in zip(times, states, strict=True) if t < gone.get(name, until)]
         x, z = ([s.position[0] for s in seen], [s.height + TABLE.radius for s in seen])

@@ -7,7 +7,7 @@ from .kernel.body import Body, Felt, twin
 from .kernel.flight import aloft
 from .kernel.motion import (
     AIRBORNE,
-    GONE,
+    OFF,
     RESTING,
     ROLLING,
     SLIDING,
@@ -21,7 +21,7 @@ from .kernel.motion import (
 DISTURBED = -1  # the phase of a ball that somebody has touched and no engine has looked at yet
 NOWHERE = Felt(0.0, 0.0, 0.0)  # the cloth under a ball that is in no world yet
 NAMES = {
-    RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding", AIRBORNE: "airborne", GONE: "gone"
+    RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding", AIRBORNE: "airborne", OFF: "off"
 }  # fmt: skip
 
 
@@ -168,7 +168,7 @@ class Ball:
     def phase(self) -> str:
         """ "sliding", "rolling" or "resting"; a ball that only spins on the spot rests.
 
-        In flight "airborne"; "gone" when it has left the table over a cushion.
+        In flight "airborne"; "off" when it has left the table over a cushion.
 
         Assigned "rolling", the ball turns as its velocity wants; "resting", it stops, and keeps its
         spin about the vertical; "sliding" is refused of a ball whose velocity and spin agree.
@@ -176,7 +176,7 @@ class Ball:
         body = self._body
         if body.phase == DISTURBED:
             if aloft(body):
-                return NAMES[GONE if body.height < 0.0 else AIRBORNE]
+                return NAMES[OFF if body.height < 0.0 else AIRBORNE]
             return NAMES[motion(body.velocity, body.roll, self._clock.cloth)[0]]
         return NAMES[body.phase]
 

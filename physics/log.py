@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, overload
 from .checks import finite
 from .kernel.body import Body
 from .kernel.calendar import CUSHION, PAIR, PHASE
-from .kernel.motion import AIRBORNE, GONE, RESTING, ROLLING, altitude, faded, length
+from .kernel.motion import AIRBORNE, OFF, RESTING, ROLLING, altitude, faded, length
 from .wall import Wall
 
 Vector = tuple[float, float]
@@ -76,7 +76,7 @@ class Event(NamedTuple):
     """One thing that happened.
 
     time s; kind "roll", "rest", "cushion" or "ball", and for balls that fly "land" (on the cloth)
-    and "gone" (over a cushion, for good); balls: names; wall: name, or None; point: (x, y) of the
+    and "off" (over a cushion, for good); balls: names; wall: name, or None; point: (x, y) of the
     contact (of the centre, where nothing touched), m; before and after: a State for each ball;
     closing: speed along the contact's normal before, m/s (at a cushion, its level part); impulse:
     N s; energy_lost: J, in a cluster of contacts their common loss shared by impulse. Events of one
@@ -95,8 +95,11 @@ class Event(NamedTuple):
     energy_lost: float
 
 
+PHASE_AT = Leg._fields.index("phase")
+
+
 class Contact(NamedTuple):
-    """What the rules of a game need of an event "cushion" or "ball": no states, no energies."""
+    """What the rules of a game need of an event "cushion", "ball" or "off": no states."""
 
     time: float
     kind: str
@@ -221,13 +224,15 @@ class Log(Sequence[Event]):
         return (self._event(*raw) for raw in self._events)
 
     def contacts(self) -> Iterator[Contact]:
-        """The hits alone, in their order; ten times as quick as the events."""
+        """The hits, and balls that leave the table, in order; ten times as quick as the events."""
         names, walls = self.names, self._walls
-        for epoch, time, kind, other, i, _, j, _, _ in self._events:
+        for epoch, time, kind, other, i, leg, j, _, _ in self._events:
             if kind == CUSHION:
                 yield Contact(epoch + time, "cushion", (names[i],), walls[other].name)
             elif kind == PAIR:
                 yield Contact(epoch + time, "ball", (names[i], names[j]), None)
+            elif self._legs[i][leg][PHASE_AT] == OFF:
+                yield Contact(epoch + time, "off", (names[i],), None)
 
     def __repr__(self) -> str:
         return f"<Log of {len(self)} events>"
@@ -292,7 +297,7 @@ class Log(Sequence[Event]):
         closing = _along(first[0], normal, rise)
         if kind == PAIR:
             closing -= _along(second[0], normal, rise)
-        impulse = 0.0 if what in ("roll", "rest", "gone") else self._masses[i] * _kick(*first)
+        impulse = 0.0 if what in ("roll", "rest", "off") else self._masses[i] * _kick(*first)
         if shared is not None:
             impulse, share, members = shared
             lost = share * sum(self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members)
@@ -307,7 +312,7 @@ def _kind(kind: int, turn: tuple[Leg, Leg]) -> str:
     if kind != PHASE:
         return "cushion" if kind == CUSHION else "ball"
     if turn[0].phase == AIRBORNE:
-        return "gone" if turn[1].phase == GONE else "land"
+        return "off" if turn[1].phase == OFF else "land"
     return "rest" if turn[1].phase == RESTING else "roll"
 
 

@@ -15,7 +15,7 @@ def check_places(balls: Sequence[Ball], walls: Sequence[Wall], rule: Rule, slack
 
     rule: the cushions'.  slack: how far things may overlap beyond OVERLAP, m.
     """
-    here = [ball for ball in balls if ball.phase != "gone"]
+    here = [ball for ball in balls if ball.phase != "off"]
     for ball in here:
         for wall in walls:
             if _depth(ball, wall, rule) > slack + OVERLAP:

@@ -4,7 +4,7 @@ from dataclasses import asdict, is_dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from .kernel.motion import AIRBORNE, GONE, RESTING, ROLLING, SLIDING
+from .kernel.motion import AIRBORNE, OFF, RESTING, ROLLING, SLIDING
 from .shot import Shot
 from .wall import Wall
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 VERSION = 2  # 1 knew no balls in the air
 DISTURBED = "disturbed"
 PHASES = {
-    RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding", AIRBORNE: "airborne", GONE: "gone"
+    RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding", AIRBORNE: "airborne", OFF: "off"
 }  # fmt: skip
 COMPLEX = ("position", "velocity", "acceleration", "roll")
 REAL = ("side", "height", "climb", "fall")

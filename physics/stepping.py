@@ -85,7 +85,7 @@ class TimeStepping:
 
     def plan(self, world: "World", disturbed: list[int]) -> None:
         for ball in world.balls:
-            if ball.phase in ("airborne", "gone"):
+            if ball.phase in ("airborne", "off"):
                 raise ValueError(f"{ball!r}: fixed steps know only balls on the table")
         SCHEMES[self.scheme].start(world, disturbed)
         world.due = self._grid(world, 0) if _moving(world) else inf

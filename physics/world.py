@@ -9,7 +9,7 @@ from .checks import finite, nonnegative
 from .cloth import Cloth
 from .engine import Engine, EventDriven
 from .kernel.body import Scene, grid, no_grid, ties, twin_grid
-from .kernel.motion import GONE, RESTING, carry, length
+from .kernel.motion import OFF, RESTING, carry, length
 from .log import Log
 from .places import check_places
 from .shot import Shot
@@ -216,7 +216,7 @@ class World:
     @property
     def at_rest(self) -> bool:
         """Does nothing move or roll any more?  (A ball may still spin on the spot.)"""
-        return all(ball.phase in ("resting", "gone") for ball in self._balls)
+        return all(ball.phase in ("resting", "off") for ball in self._balls)
 
     @property
     def next_event(self) -> float:
@@ -330,7 +330,7 @@ class World:
             slack = 2.0 * fastest * getattr(self._engine, "dt", 0.0)
             check_places(self._balls, self._walls, self.scene.cushion_rule, slack)
             self._lay_grid()
-        if all(body.phase in (RESTING, GONE, DISTURBED) for body in bodies):
+        if all(body.phase in (RESTING, OFF, DISTURBED) for body in bodies):
             self._begin_epoch()
         self.planned = self.time
         self._engine.plan(self, [i for i, body in enumerate(bodies) if body.phase == DISTURBED])

@@ -104,12 +104,13 @@ def test_a_ball_over_the_cushion_is_gone_and_can_be_put_back():
     world.strike("cue", Shot(3.0, angle=90.0, climb=1.5))
     cue = world.ball("cue")
     world.run()
-    assert kinds(world, "cue") == ["gone"]
+    assert kinds(world, "cue") == ["off"]
     assert world.log[0].energy_lost == pytest.approx(
         0.5 * MASS * (9.0 + 1.5**2), rel=1e-13
     )  # also what it had in height
-    assert (cue.phase, cue.velocity, cue.height) == ("gone", (0.0, 0.0), 0.0)
+    assert (cue.phase, cue.velocity, cue.height) == ("off", (0.0, 0.0), 0.0)
     assert world.at_rest
+    assert [(c.kind, c.balls) for c in world.log.contacts()] == [("off", ("cue",))]
     for act in (lambda: world.strike("cue", Shot(1.0)), lambda: setattr(cue, "climb", 1.0)):
         with pytest.raises(ValueError, match=r"'cue'.*has left the table"):
             act()
@@ -123,7 +124,7 @@ def test_a_ball_over_the_cushion_is_gone_and_can_be_put_back():
 
 def test_the_nose_stops_a_ball_that_is_not_over_it():
     world = table(cue=0.0)
-    for climb, kind in ((1.2, "cushion"), (1.5, "gone")):
+    for climb, kind in ((1.2, "cushion"), (1.5, "off")):
         first = simulate(world, "cue", Shot(3.0, angle=90.0, climb=climb)).log[0]
         assert first.kind == kind
     hit = simulate(world, "cue", Shot(3.0, angle=90.0, climb=1.2)).log[0]
@@ -172,7 +173,7 @@ def gaps(world, time, gone):
 def test_nothing_in_the_air_overlaps_and_every_joule_is_in_the_ledger(seed):
     world = scene(seed)
     world.run()
-    gone = {event.balls[0]: event.time for event in world.log if event.kind == "gone"}
+    gone = {event.balls[0]: event.time for event in world.log if event.kind == "off"}
     dice = random.Random(seed)
     moments = [dice.uniform(0.0, min(world.time, 1.5)) for _ in range(20)]
     moments += [event.time for event in world.log[:40]]

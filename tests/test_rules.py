@@ -9,6 +9,7 @@ from game.match.match import Match, Player
 from game.match.rules import Turn, Verdict
 from game.match.sagu import EXTRA_3C, LAST_POINT_3C, Sagu
 from game.match.stroke import LASTING, TIE
+from physics import Shot, scenes, simulate
 
 
 def sagu(*steps: str, score: int = 5, target: int | None = 10, **options: object) -> Verdict:
@@ -140,6 +141,13 @@ def test_r20_a_ball_off_the_table_is_a_foul_and_is_to_be_spotted() -> None:
     assert outcome(verdict) == ("off_table", 0, True)
     assert (verdict.foul, verdict.facts.off) == (True, ("red",))
     assert outcome(sagu(R1, R2, "white!")) == ("off_table", -1, True)
+
+
+def test_a_ball_that_jumps_off_the_table_is_a_foul() -> None:
+    world = scenes.carom()
+    after = simulate(world, "white", Shot(3.0, angle=90.0, climb=2.0))
+    verdict = Sagu().verdict(after.log.contacts(), Turn("white", score=5, target=10))
+    assert outcome(verdict) == ("off_table", -1, True)
 
 
 def test_r21_straight_rail_takes_any_cannon() -> None:

@@ -5,7 +5,7 @@ from .contact import first_fall, meeting
 from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave, plan_flight
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .laws import hit_ball, hit_wall
-from .motion import AIRBORNE, GONE, RESTING, carry, length, motion, settle, swept
+from .motion import AIRBORNE, OFF, RESTING, carry, length, motion, settle, swept
 from .subset import complex, inf, kernel, whole
 
 PHASE_ENDS = -1
@@ -47,7 +47,7 @@ def plan_leg(ball, walls, cloth, rule):
 @kernel
 def reach(ball, p, v, a, lasts):
     """The box that the ball sweeps on its leg: the whole plane if the leg never ends, nothing if
-    the ball is gone."""
+    the ball is off the table."""
     r = ball.radius
     if ball.phase == RESTING:
         ball.west, ball.east, ball.south, ball.north = (
@@ -57,7 +57,7 @@ def reach(ball, p, v, a, lasts):
             p.imag + r,
         )
     elif lasts == inf:
-        far = -inf if ball.phase == GONE else inf
+        far = -inf if ball.phase == OFF else inf
         ball.west, ball.east, ball.south, ball.north = -far, far, -far, far
     else:
         low, high = swept(p.real, v.real, a.real, lasts)

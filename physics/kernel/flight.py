@@ -8,7 +8,7 @@ table.
 
 from .contact import contact_time, first_fall
 from .laws import SMOOTH_BALL, THESIS_BALL, ball_law, rebound
-from .motion import AIRBORNE, GONE
+from .motion import AIRBORNE, OFF
 from .subset import complex, inf, kernel, sqrt
 
 LEAVES = -2  # the goal of a leg over the cushion
@@ -26,7 +26,7 @@ def plan_flight(ball, walls, cloth, rule):
     """How the ball flies, and until when."""
     ball.acceleration, ball.fall = 0j, 0.0
     if ball.height < 0.0:
-        ball.phase = GONE
+        ball.phase = OFF
         return inf
     ball.phase, ball.fall = AIRBORNE, cloth.gravity
     lasts = first_fall(ball.height, ball.climb, -cloth.gravity)
@@ -66,7 +66,7 @@ def land(ball, cloth, parting):
 
 @kernel
 def leave(ball):
-    """It is over the cushion, and gone."""
+    """It is over the cushion, and off the table."""
     ball.velocity, ball.roll, ball.side = 0j, 0j, 0.0
     ball.height, ball.climb, ball.fall = BELOW, 0.0, 0.0
 

@@ -6,7 +6,7 @@ cloth is velocity - roll, and neither radius nor moment of inertia appears again
 
 from .subset import inf, kernel, sqrt
 
-RESTING, ROLLING, SLIDING, AIRBORNE, GONE = 0, 1, 2, 3, 4
+RESTING, ROLLING, SLIDING, AIRBORNE, OFF = 0, 1, 2, 3, 4
 STILL = 1e-12  # m/s: what is slower does not move
 
 
