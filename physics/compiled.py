@@ -1,7 +1,7 @@
 """The kernel compiled by numba, from the same source, beside the interpreted one in one process.
 
-numba's cache does not see that another file has changed: so the cache folder carries a hash of
-them all, and of where and how old they are.
+numba's cache does not see that another file has changed, nor what it was asked for: so the cache
+folder carries a hash of all that decides on the code, and of where and how old the kernel is.
 """
 
 import hashlib
@@ -16,6 +16,7 @@ from threading import Lock
 from types import ModuleType
 from typing import Any
 
+from . import binding
 from .binding import FOLDER, load
 from .kernel.body import Line, Scene, Seat, Tie, rows, ties
 
@@ -24,18 +25,20 @@ _lock = Lock()  # threads may ask at once
 
 NAME = "physics.compiled_kernel"
 UNUSED = 7 * 86400.0  # s, see _forget
+BINDING = Path(__file__), Path(binding.__file__)
+DONE = "*/*.many-*.nbi"  # what numba writes when it has compiled
 
 
 def cache_folder() -> Path:
     """Where the compiled kernel is kept: in the user's cache folder, by the hash of its sources.
 
-    And of where and how old they are, by which numba goes: so the folder is there if and only if
-    this kernel has been compiled.
+    Of this file and the binding too, in which flags and stubs are; and of where and how old the
+    kernel's are, by which numba goes: so no folder has code of another kernel.
     """
     import numba
 
     paths = sorted(FOLDER.glob("*.py"))
-    sources = b"".join(path.read_bytes() for path in paths)
+    sources = b"".join(path.read_bytes() for path in (*paths, *BINDING))
     place = f"{numba.__version__} {FOLDER} {[path.stat().st_mtime_ns for path in paths]}"
     key = hashlib.sha256(sources + place.encode()).hexdigest()[:16]
     home = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
@@ -83,11 +86,11 @@ def _kernel() -> ModuleType:
     from numba.core import config
 
     folder, before = cache_folder(), config.CACHE_DIR
-    if not folder.exists():
+    if not any(folder.glob(DONE)):
         log.warning("compiling the kernel for %s, this once: it takes about 10 seconds", folder)
-        with suppress(OSError):
-            folder.mkdir(parents=True)
-            _forget(folder)
+    with suppress(OSError):
+        folder.mkdir(parents=True)
+        _forget(folder)
     with suppress(OSError):
         os.utime(folder)  # its age is the time since its last use
     config.CACHE_DIR = str(folder)

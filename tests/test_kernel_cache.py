@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 pytest.importorskip("numba", reason="compiled batches need the extra `fast`")
-from physics import compiled
+from physics import Shot, compiled, scenes, simulate_many
 
 
 @pytest.fixture
@@ -24,10 +24,15 @@ def kernel():
     return compiled._kernel.__wrapped__()
 
 
+def finished(folder):
+    """As numba leaves it; the name is of its making."""
+    (folder / "kernel_1a").mkdir(parents=True)
+    (folder / "kernel_1a" / "calendar.many-99.py311.nbi").write_bytes(b"code")
+
+
 def aged(folder, days):
     """A kernel that was last used so many days ago."""
-    (folder / "numba").mkdir(parents=True)
-    (folder / "numba" / "many.nbi").write_bytes(b"code")
+    finished(folder)
     then = time.time() - 86400 * days
     os.utime(folder, (then, then))
     return folder
@@ -37,12 +42,27 @@ def names(home):
     return {folder.name for folder in home.iterdir()}
 
 
-def test_a_cold_compile_is_announced_once(home, caplog):
+def test_a_cold_compile_is_announced_until_one_has_come_to_its_end(home, caplog):
     with caplog.at_level(logging.WARNING, logger="physics"):
+        kernel()  # broken off
+        kernel()  # or begun by another process meanwhile
+        assert caplog.text.count("compiling the kernel") == 2
+        finished(compiled.cache_folder())
         kernel()
-        kernel()
-    assert caplog.text.count("compiling the kernel") == 1
+    assert caplog.text.count("compiling the kernel") == 2
     assert str(home) in caplog.text
+
+
+def test_numba_leaves_what_the_announcement_looks_for():
+    simulate_many(scenes.carom(), "white", [Shot(1.0)], compiled=True)
+    assert any(compiled.cache_folder().glob(compiled.DONE))
+
+
+@pytest.mark.parametrize("name", ["calendar.py", "compiled.py", "binding.py"])
+def test_an_edit_of_the_kernel_or_of_how_it_is_compiled_asks_for_a_new_one(name, monkeypatch):
+    before, read = compiled.cache_folder(), Path.read_bytes
+    monkeypatch.setattr(Path, "read_bytes", lambda path: read(path) + b"#" * (path.name == name))
+    assert compiled.cache_folder() != before
 
 
 def test_a_new_kernel_removes_those_that_nobody_has_used_for_a_week(home):
@@ -60,7 +80,7 @@ def test_a_kernel_in_use_stays_young_and_removes_nothing(home):
     kernel()
     assert names(home) == {ours.name, "kernel-old"}
     assert time.time() - ours.stat().st_mtime < 3600.0
-    assert (ours / "numba" / "many.nbi").exists()
+    assert (ours / "kernel_1a" / "calendar.many-99.py311.nbi").exists()
 
 
 @pytest.mark.parametrize("way", ["mkdir", "rename"])
@@ -71,7 +91,7 @@ def test_a_cache_that_lets_nothing_be_made_or_removed_is_left_alone(way, home, m
     old = aged(home / "kernel-old", 8)
     monkeypatch.setattr(Path, way, refuses)
     assert kernel() == "loaded"
-    assert (old / "numba" / "many.nbi").exists()
+    assert (old / "kernel_1a" / "calendar.many-99.py311.nbi").exists()
 
 
 def test_of_two_who_remove_the_same_kernel_one_does_and_neither_fails(home, monkeypatch):
