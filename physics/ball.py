@@ -52,8 +52,9 @@ class Ball:
     """A ball on the table.
 
     at and velocity are (x, y) in m and m/s, spin (wx, wy, wz) in rad/s, radius in m, mass in kg.
-    position, velocity and spin can be read and assigned at any moment; the world takes it from
-    there. ValueError, naming the ball and the value, for anything not finite or not positive.
+    position, velocity, spin, and for jumps height and climb can be read and assigned at any moment;
+    the world takes it from there. ValueError, naming the ball and the value, for any not finite
+    or not positive, and for what a ball that has left the table cannot take.
     """
 
     __slots__ = ("_body", "_clock", "_name")
@@ -117,7 +118,7 @@ class Ball:
     @velocity.setter
     def velocity(self, value: Sequence[float]) -> None:
         vx, vy = vector(f"ball {self.name!r}: velocity", value, 2)
-        self.disturb().velocity = complex(vx, vy)
+        self.on_table().disturb().velocity = complex(vx, vy)
 
     @property
     def height(self) -> float:
@@ -130,7 +131,7 @@ class Ball:
     @height.setter
     def height(self, value: float) -> None:
         height = nonnegative(f"ball {self.name!r}: height", value)
-        self.disturb().height = height
+        self.on_table().disturb().height = height
         self._clock.moved = True
 
     @property
@@ -141,9 +142,10 @@ class Ball:
     @climb.setter
     def climb(self, value: float) -> None:
         climb = finite(f"ball {self.name!r}: climb", value)
-        self._on_table().disturb().climb = climb
+        self.on_table().disturb().climb = climb
 
-    def _on_table(self) -> "Ball":
+    def on_table(self) -> "Ball":
+        """The ball; ValueError if it has left the table."""
         if self._body.height < 0.0:
             raise ValueError(f"{self!r} has left the table: give it a position first")
         return self
@@ -161,7 +163,7 @@ class Ball:
     @spin.setter
     def spin(self, value: Sequence[float]) -> None:
         wx, wy, wz = vector(f"ball {self.name!r}: spin", value, 3)
-        body = self.disturb()
+        body = self.on_table().disturb()
         body.roll, body.side = complex(wy, -wx) * body.radius, wz * body.radius
 
     @property
@@ -171,7 +173,8 @@ class Ball:
         In flight "airborne"; "off" when it has left the table over a cushion.
 
         Assigned "rolling", the ball turns as its velocity wants; "resting", it stops, and keeps its
-        spin about the vertical; "sliding" is refused of a ball whose velocity and spin agree.
+        spin about the vertical; "sliding" is refused of a ball whose velocity and spin agree, and
+        all three of a ball that is not on the cloth.
         """
         body = self._body
         if body.phase == DISTURBED:
@@ -182,18 +185,20 @@ class Ball:
 
     @phase.setter
     def phase(self, value: str) -> None:
+        if value not in ("resting", "rolling", "sliding"):
+            known = "resting, rolling, sliding"
+            raise ValueError(f"ball {self.name!r}: phase must be one of {known}, not {value!r}")
+        if aloft(self._body):
+            raise ValueError(f"ball {self.name!r}: phase: it is {self.phase}, and not on the cloth")
         if value == "sliding":
             if self.phase != value:
                 raise ValueError(f"ball {self.name!r}: phase: it has no slip, so it cannot slide")
         elif value == "rolling":
             body = self.disturb()
             body.roll = body.velocity
-        elif value == "resting":
+        else:
             body = self.disturb()
             body.velocity = body.roll = 0j
-        else:
-            known = "resting, rolling, sliding"
-            raise ValueError(f"ball {self.name!r}: phase must be one of {known}, not {value!r}")
 
     def disturb(self) -> Body:
         """The record at this very moment, to be changed: the engine will plan it anew."""
@@ -203,6 +208,7 @@ class Ball:
             body.acceleration = 0j
             body.fall = 0.0
             body.phase = DISTURBED
+            body.trapped = 0
         self._clock.disturbed = True
         return body
 

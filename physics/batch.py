@@ -64,7 +64,7 @@ def simulate_many(
         raise ValueError(f"simulate_many progress must be callable, not {progress!r}")
     world.plan()
     table = _table(shots, np)
-    job, rows = _job(world, world.ball(ball).name, table, compiled, np)
+    job, rows = _job(world, world.ball(ball).on_table().name, table, compiled, np)
     pieces = [rows[k : k + job.chunk] for k in range(0, len(rows), job.chunk)] or [rows]
     parts = []
     for piece, part in zip(pieces, _parts(job, pieces, executor), strict=True):

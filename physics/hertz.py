@@ -99,7 +99,9 @@ def _restitution(law: "HertzCluster", rule: Any) -> float:
 
 def _apply(contacts: Contacts, pushes: Sequence[float], scene: Scene) -> None:
     """The pushes, then the rubs; and a note of them where the engine looks for it."""
-    balls, ties = scene.balls, scene.ties.contacts[: len(contacts)]
+    balls, room = scene.balls, scene.ties.contacts
+    room.extend(Tie() for _ in range(len(room), len(contacts)))  # a wide gap joins many
+    ties = room[: len(contacts)]
     for tie, (first, second), push in zip(ties, contacts, pushes, strict=True):
         tie.first, tie.second, tie.total, tie.push = first, second, push, push
         a, b = balls[first], balls[second]

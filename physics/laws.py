@@ -288,13 +288,18 @@ def _law(
     return law
 
 
-def cushion_rule(law: CushionLaw, parting: float) -> Rule:
-    """The law as the kernel wants it."""
+def cushion_rule(law: CushionLaw, parting: float, before: Rule | None = None) -> Rule:
+    """The law as the kernel wants it.
+
+    One from outside knows balls on the table only: in the air the default's coefficients hold, at
+    the nose that was there before.
+    """
     if isinstance(law, _CushionLaw):
         rule = law.rule()
-    else:  # which knows the table only: in the air the default's coefficients hold
+    else:
         air = RigidCushion()
-        rule = ForeignRule(_bent(kernel.FOREIGN_CUSHION, air.e, air.mu, air.nose), law)
+        nose = air.nose if before is None else 1.0 + before.height
+        rule = ForeignRule(_bent(kernel.FOREIGN_CUSHION, air.e, air.mu, nose), law)
     rule.parting = parting
     return rule
 

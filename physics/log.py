@@ -8,6 +8,7 @@ from typing import Any, NamedTuple, overload
 from .checks import finite
 from .kernel.body import Body
 from .kernel.calendar import CUSHION, PAIR, PHASE
+from .kernel.flight import LEAVES
 from .kernel.motion import AIRBORNE, OFF, RESTING, ROLLING, altitude, faded, length
 from .wall import Wall
 
@@ -232,7 +233,7 @@ class Log(Sequence[Event]):
             elif kind == PAIR:
                 yield Contact(epoch + time, "ball", (names[i], names[j]), None)
             elif self._legs[i][leg][PHASE_AT] == OFF:
-                yield Contact(epoch + time, "off", (names[i],), None)
+                yield Contact(epoch + time, "off", (names[i],), walls[LEAVES - other].name)
 
     def __repr__(self) -> str:
         return f"<Log of {len(self)} events>"
@@ -286,8 +287,11 @@ class Log(Sequence[Event]):
         point, normal, rise = first[1].position, 0j, -1.0 if what == "land" else 0.0
         wall = None
         if kind == CUSHION:
-            wall, normal = self._walls[other].name, -self._walls[other].normal
-            point += first[1].radius * normal
+            met = self._walls[other]
+            wall, normal = met.name, -met.normal
+            point += met.distance((point.real, point.imag)) * normal
+        elif what == "off":
+            wall = self._walls[LEAVES - other].name
         elif kind == PAIR:
             second = self._turn(j, leg_j, epoch, time)
             names, turns = (self.names[i], self.names[j]), (first, second)

@@ -14,7 +14,7 @@ from .ball import Ball
 from .checks import finite, vector
 from .cloth import Cloth
 from .kernel.body import Body
-from .kernel.motion import place
+from .kernel.motion import altitude, place
 from .record import (
     COMPLEX,
     DISTURBED,
@@ -195,8 +195,10 @@ def _put_balls(world: World, spot: Spot) -> None:
     planned, due = spot["planned"].number(), spot["due"].number_or_inf()
     bodies = [_body(ball) for ball in spot["balls"].items()]
     for ball, body in zip(spot["balls"].items(), bodies, strict=True):
-        p = place(body, 0.0 if body.phase < 0 else now - body.since)
-        world.add(Ball(ball["name"].text(), (p.real, p.imag), radius=body.radius, mass=body.mass))
+        t = 0.0 if body.phase < 0 else now - body.since
+        p = place(body, t)
+        mine = Ball(ball["name"].text(), (p.real, p.imag), radius=body.radius, mass=body.mass)
+        world.add(mine).body.height = altitude(body, t)
     if not foresees(world):
         world.clock.moved = False  # fixed steps let things overlap
     world.plan()

@@ -8,7 +8,7 @@ from .ball import DISTURBED, Ball, Clock
 from .checks import finite, nonnegative
 from .cloth import Cloth
 from .engine import Engine, EventDriven
-from .kernel.body import Scene, grid, no_grid, ties, twin_grid
+from .kernel.body import Rule, Scene, grid, no_grid, ties, twin_grid
 from .kernel.motion import OFF, RESTING, carry, length
 from .log import Log
 from .places import check_places
@@ -145,6 +145,9 @@ class World:
         self._refuse_laws("cushion_law")
         self._cushion_law = laws.cushion_law(law, self._cushion_law)
         self._renew_rules()
+        for ball in self._balls:
+            if ball.phase == "airborne":  # where the nose is has been planned with
+                ball.disturb()
 
     @property
     def cluster_law(self) -> laws.HertzCluster | None:
@@ -171,10 +174,10 @@ class World:
         self._disturb()
         self._renew_rules()
 
-    def _rules(self) -> tuple[object, object]:
+    def _rules(self, before: Rule | None = None) -> tuple[object, object]:
         vmin = self._engine.vmin
         ball = laws.ball_rule(self._ball_law, vmin)
-        cushion = laws.cushion_rule(self._cushion_law, vmin)
+        cushion = laws.cushion_rule(self._cushion_law, vmin, before)
         self._watched = any(isinstance(rule, laws.ForeignRule) for rule in (ball, cushion))
         if self._watched:
             from .watch import watch
@@ -183,7 +186,7 @@ class World:
         return ball, cushion
 
     def _renew_rules(self) -> None:
-        ball, cushion = self._rules()
+        ball, cushion = self._rules(self.scene.cushion_rule)
         self.scene = self.scene._replace(ball_rule=ball, cushion_rule=cushion)
 
     def _refuse_laws(self, call: str) -> None:

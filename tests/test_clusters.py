@@ -257,3 +257,22 @@ def test_bad_springs_are_refused():
             laws.HertzCluster(**wrong)
     with pytest.raises(ValueError, match="cluster law"):
         World().cluster_law = "newton"
+
+
+def test_balls_so_small_that_more_than_six_touch_need_no_more_room():
+    pytest.importorskip("numba")
+    world, radius, row = World(Cloth(), "smooth"), 1e-9, 15
+    for k in range(200):
+        spot = (k % row) * 2.2 * radius, (k // row) * 2.2 * radius
+        world.add(Ball(str(k), spot, radius=radius))
+    world.add(Ball("cue", (-0.2, row * radius), radius=0.03))
+    fast = simulate_many(world, "cue", [Shot(2.0)], compiled=True)
+    plain = simulate_many(world, "cue", [Shot(2.0)], compiled=False)
+    assert (fast.positions == plain.positions).all()
+
+
+def test_springs_over_a_wide_gap_may_join_all_balls():
+    world = scenes.rack15()
+    world.cluster_law = laws.HertzCluster(gap=0.1)
+    world.run(1.0)
+    assert sum(event.kind == "ball" for event in world.log) > 15

@@ -111,3 +111,12 @@ def test_a_ball_put_elsewhere_is_found_there():
     first.position, first.velocity = (free.real, free.imag), (way.real / 0.02, way.imag / 0.02)
     world.run(world.time + 0.01)
     assert set(world.log[0].balls) == {"0", "1"}
+
+
+def test_balls_far_apart_in_line_have_no_more_cells_than_balls():
+    for spacing in (1e5, 1e48):
+        world = World(Cloth(), "smooth")
+        for k in range(31):
+            world.add(Ball(str(k), (k * spacing, 0.0)))
+        world.plan()
+        assert len(world.scene.grid.head) <= 32

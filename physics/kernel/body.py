@@ -163,7 +163,7 @@ def grid(spots: Sequence[complex], radius: float) -> Grid:
     n = len(spots)
     west, south = min(p.real for p in spots), min(p.imag for p in spots)
     length, width = max(p.real for p in spots) - west, max(p.imag for p in spots) - south
-    size = max(2.0 * radius + 1e-6, sqrt(length * width / n))
+    size = max(2.0 * radius + 1e-6, sqrt(length * width / n), length / n, width / n)
     columns, lines = max(1, int(length / size)), max(1, int(width / size))
     leaves = 1
     while leaves < n:

@@ -2,7 +2,7 @@
 
 from .cluster import TOUCHING, collide, crowded, crowded_near, gather
 from .contact import first_fall, meeting
-from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave, plan_flight
+from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave_table, plan_flight
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .laws import hit_ball, hit_wall
 from .motion import AIRBORNE, OFF, RESTING, carry, length, motion, settle, swept
@@ -140,6 +140,7 @@ def plan(scene):
         meetings[k] = inf
     for i in range(n):
         ball = balls[i]
+        ball.trapped = 0
         if scene.celled:
             locate(i, ball, grid)
             start_leg(i, scene)
@@ -180,7 +181,9 @@ def happen(i, scene):
         return NOTHING, NOBODY
     ball = balls[i]
     time = ball.next
-    lasted = time - ball.since
+    instant = time - ball.since < INSTANT
+    if not instant:
+        ball.trapped = 0
     carry(ball, time, cloth)
     if ball.meets <= ball.leg_end:
         return meet(i, ball.partner, time, scene)
@@ -193,9 +196,10 @@ def happen(i, scene):
             hit_nose(ball, scene.walls[goal], scene.cushion_rule)
         else:
             hit_wall(ball, scene.walls[goal], scene.cushion_rule)
-        ball.trapped = ball.trapped + 1 if lasted < INSTANT else 0
-        if ball.trapped > PATIENCE:
-            release(ball, scene.walls, scene.cushion_rule.parting)
+            if instant:
+                ball.trapped += 1
+            if ball.trapped > PATIENCE:
+                release(ball, scene.walls, scene.cushion_rule.parting)
     if scene.celled:
         start_leg(i, scene)
         plan_near(i, balls, scene.grid)
@@ -208,8 +212,8 @@ def happen(i, scene):
 @kernel
 def end(ball, goal, cloth, parting):
     """A phase is over, and nothing was hit; or only the cloth."""
-    if goal == LEAVES:
-        leave(ball)
+    if goal <= LEAVES:
+        leave_table(ball)
     elif ball.phase == AIRBORNE:
         land(ball, cloth, parting)
     else:

@@ -91,7 +91,7 @@ def gather(i, j, time, scene):
                 carry(balls[k], time, scene.cloth)
                 member[members] = k
                 members += 1
-            if at > m:
+            if at > m and contacts < len(ties.contacts):  # balls of nanometres may touch more
                 join(a, k, ties.contacts[contacts])
                 contacts += 1
         m += 1

@@ -2,16 +2,16 @@
 
 Aloft a ball is a stone: its spin stays, its velocity over the table too, and gravity takes its
 climb. All else is a contact in some direction (line, rise) from the centre of the ball: (0, -1) is
-the cloth. `height` is how far the ball is above the cloth, and below zero when it has left the
-table.
+the cloth. `height` is how far the ball's lowest point is above the cloth, and below zero when it
+has left the table. Balls of different radii are compared there too, as discs are on the table.
 """
 
 from .contact import contact_time, first_fall
-from .laws import SMOOTH_BALL, THESIS_BALL, ball_law, rebound
+from .laws import SMOOTH_BALL, THESIS_BALL, ball_law, friction, rebound
 from .motion import AIRBORNE, OFF
 from .subset import complex, inf, kernel, sqrt
 
-LEAVES = -2  # the goal of a leg over the cushion
+LEAVES = -2  # less the number of the wall: the goal of a leg over that cushion
 BELOW = -1.0  # m: the height of a ball that has left the table
 
 
@@ -39,8 +39,10 @@ def plan_flight(ball, walls, cloth, rule):
         )  # fmt: skip
         if wait < lasts:
             lasts, ball.goal = wait, k
-        if speed < 0.0 and -across / speed < lasts:
-            lasts, ball.goal = max(0.0, -across / speed), LEAVES
+        if speed < 0.0:
+            wait = max(0.0, -across / speed)
+            if wait < lasts:
+                lasts, ball.goal = wait, LEAVES - k
     return lasts
 
 
@@ -58,14 +60,15 @@ def nose(ball, wall, rule):
 def land(ball, cloth, parting):
     """It comes down, and stays there if it would go up more slowly than `parting`."""
     up = -cloth.bounce * ball.climb
-    if up < parting:
+    if up < parting or ball.climb >= 0.0:  # so small a hop that it took no time
         up = 0.0
-    meet_fixed(ball, 0j, -1.0, up, cloth.grip)
+    if ball.climb < 0.0:
+        meet_fixed(ball, 0j, -1.0, up, cloth.grip)
     ball.height, ball.climb, ball.fall = 0.0, up, 0.0
 
 
 @kernel
-def leave(ball):
+def leave_table(ball):
     """It is over the cushion, and off the table."""
     ball.velocity, ball.roll, ball.side = 0j, 0j, 0.0
     ball.height, ball.climb, ball.fall = BELOW, 0.0, 0.0
@@ -89,11 +92,14 @@ def meet_fixed(ball, line, rise, parting, grip):
     along, up = skin(ball.roll, ball.side, line, rise)
     along, up = v - closing * line + along, climb - closing * rise + up
     slip = sqrt(along.real * along.real + along.imag * along.imag + up * up)
-    most = grip * (closing + parting)
-    rub = -1.0 / 3.5 if slip <= 3.5 * most else -most / slip
-    ball.velocity += rub * along - (closing + parting) * line
-    ball.climb += rub * up - (closing + parting) * rise
-    twist(ball, line, rise, rub * along, rub * up)
+    push = closing + parting
+    ball.velocity -= push * line
+    ball.climb -= push * rise
+    if slip > 0.0:
+        rub = friction(complex(slip, 0.0), grip * push, 3.5).real / slip
+        ball.velocity += rub * along
+        ball.climb += rub * up
+        twist(ball, line, rise, rub * along, rub * up)
 
 
 @kernel
