@@ -8,6 +8,7 @@ import csv
 import os
 from collections.abc import Iterator
 from itertools import groupby
+from math import hypot
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -22,9 +23,10 @@ class Entry(NamedTuple):
     """One line.
 
     time s; kind as of an Event, or "hand" where somebody put or pushed a ball; ball, other, wall:
-    names, or ""; x, y: where, m; speeds of the two before and after, closing speed, m/s; impulse,
-    N s; energy_lost in the event, and cloth_lost by all balls on their legs since the entry before,
-    J (what a hand gave is a loss below zero); energy: kinetic energy of all balls after it, J.
+    names, or ""; x, y: where, m; speeds of the two before and after, in space, closing speed, m/s;
+    impulse, N s; energy_lost in the event, and cloth_lost by all balls on their legs since the
+    entry before, J (what a hand gave is a loss below zero); energy: of all balls after it, J, of
+    moving and turning and what gravity has stored in those aloft. height: of the ball, m.
     """
 
     time: float
@@ -43,6 +45,7 @@ class Entry(NamedTuple):
     energy_lost: float
     cloth_lost: float
     energy: float
+    height: float
 
 
 def ledger(log: Log) -> Iterator[Entry]:
@@ -169,12 +172,13 @@ class _Book:
 
 def _entry(event: Event, cloth: float, energy: float) -> Entry:
     before, after = ([_speed(s) for s in states] + [0.0] for states in (event.before, event.after))
+    height = (event.after if event.kind == "hand" else event.before)[0].height
     return Entry(
         event.time, event.kind, event.balls[0], event.balls[1] if len(event.balls) > 1 else "",
         event.wall or "", *event.point, before[0], after[0], before[1], after[1], event.closing,
-        event.impulse, event.energy_lost, cloth, energy,
+        event.impulse, event.energy_lost, cloth, energy, height,
     )  # fmt: skip
 
 
 def _speed(state: State) -> float:
-    return float(length(complex(*state.velocity)))
+    return hypot(*state.velocity, state.climb)

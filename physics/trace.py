@@ -1,8 +1,9 @@
-"""The paths that balls have taken, as arrays for plots."""
+"""The paths that balls have taken, and how high, as arrays for plots."""
 
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
+from .ball import Ball
 from .checks import positive
 from .world import World
 
@@ -21,24 +22,39 @@ def trace(
     """
     import numpy as np
 
-    rate = positive("trace rate", rate)
-    world.plan()  # what has just been put there is on a leg, too
-    start = world.log.start
-    samples = ceil((world.time - start) * rate) + 1
-    times = start + np.arange(samples) / rate
-    paths = np.empty((samples, len(world.balls), 2))
+    times = _times(world, rate, np)
+    paths = np.empty((len(times), len(world.balls), 2))
     for i, ball in enumerate(world.balls):
-        paths[:, i] = _path(world.log.legs(ball.name), times, np)
+        t, (p, v, a) = _legs(world, ball, times, ("position", "velocity", "acceleration"), np)
+        place = p + t * (v + 0.5 * t * a)
+        paths[:, i, 0], paths[:, i, 1] = place.real, place.imag
     return times, paths
 
 
-def _path(legs: Any, times: Any, np: Any) -> Any:
+def heights(world: World, rate: float = 60.0) -> "npt.NDArray[np.float64]":
+    """heights (T, balls) m above the cloth, at the times of `trace`; 0 once a ball is off."""
+    import numpy as np
+
+    times = _times(world, rate, np)
+    high = np.empty((len(times), len(world.balls)))
+    for i, ball in enumerate(world.balls):
+        t, (h, climb, fall) = _legs(world, ball, times, ("height", "climb", "fall"), np)
+        high[:, i] = h + t * (climb - 0.5 * t * fall)
+    return np.maximum(high, 0.0)
+
+
+def _times(world: World, rate: float, np: Any) -> Any:
+    """From the log's start to now, or a little later."""
+    rate = positive("trace rate", rate)
+    world.plan()  # what has just been put there is on a leg, too
+    samples = ceil((world.time - world.log.start) * rate) + 1
+    return world.log.start + np.arange(samples) / rate
+
+
+def _legs(world: World, ball: Ball, times: Any, what: tuple[str, ...], np: Any) -> Any:
+    """How far into its leg the ball is at those times, and these numbers of the leg."""
+    legs = world.log.legs(ball.name)
     begins = np.array([leg.time for leg in legs])
     k = np.maximum(np.searchsorted(begins, times, side="right") - 1, 0)
-    p, v, a = (
-        np.array([getattr(leg, what) for leg in legs])[k]
-        for what in ("position", "velocity", "acceleration")
-    )
-    t = np.maximum(times - begins[k], 0.0)
-    place = p + t * (v + 0.5 * t * a)
-    return np.stack((place.real, place.imag), axis=1)
+    numbers = [np.array([getattr(leg, name) for leg in legs])[k] for name in what]
+    return np.maximum(times - begins[k], 0.0), numbers

@@ -4,13 +4,14 @@ import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from math import isfinite
+from math import hypot, inf, isfinite
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from .ball import Ball
 from .engine import EventBudgetError
 from .kernel.body import Body, twin_grid
+from .kernel.flight import aloft
 from .kernel.motion import length
 from .laws import ForeignRule
 
@@ -125,20 +126,25 @@ class BallWatch(Watch):
 
     def _find(self, v: complex, side: float) -> str:
         """The balls that this is about, by what they do and where they are."""
-
-        def unlike(pair: tuple[Body, Body]) -> float:
-            a, b = pair
-            slower = abs(length(a.velocity - b.velocity) - length(v))
-            return float(slower + abs(a.side + b.side - side))
-
         found, names = ALIKE, "two balls"
         for i, one in enumerate(self.balls):
             for other in self.balls[i + 1 :]:
-                a, b = one.body, other.body
-                near = length(a.position - b.position) < 1.1 * (a.radius + b.radius)
-                if near and unlike((a, b)) < found:
-                    found, names = unlike((a, b)), f"balls {one.name!r} and {other.name!r}"
+                unlike = _unlike(one.body, other.body, v.real, side)
+                if unlike < found:
+                    found, names = unlike, f"balls {one.name!r} and {other.name!r}"
         return names
+
+
+def _unlike(a: Body, b: Body, closing: float, side: float) -> float:
+    """How far these two are from closing like that, m/s, and with such spin where it is told."""
+    line, rise = b.position - a.position, b.height - a.height
+    far = hypot(line.real, line.imag, rise)
+    if far > 1.1 * (a.radius + b.radius):
+        return inf
+    v = a.velocity - b.velocity
+    level, upright = (line.conjugate() * v).real, rise * (a.climb - b.climb)
+    other_spin = 0.0 if aloft(a) or aloft(b) else abs(a.side + b.side - side)
+    return float(abs((level + upright) / far - closing) + other_spin)
 
 
 def watch(ball: Any, cushion: Any, *world: Any) -> None:
