@@ -1,4 +1,4 @@
-"""Many shots from the command line: ranges of the five numbers in, a table of outcomes out."""
+"""Many shots from the command line: ranges of a shot's numbers in, a table of outcomes out."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .batch import Outcomes, simulate_many
 if TYPE_CHECKING:
     from .world import World
 
-NUMBERS = ("speed", "angle", "follow", "masse", "side")
+NUMBERS = ("speed", "angle", "follow", "masse", "side", "climb")
 MOST = 10_000_000  # shots: the outcomes of four balls fill a gigabyte
 PIECE = 200_000  # shots that are made ready at once: 50 MB
 PATIENCE = 1.0  # s: what is done by then needs no bar
@@ -25,7 +25,7 @@ PATIENCE = 1.0  # s: what is done by then needs no bar
 def add_options(one: argparse.ArgumentParser) -> None:
     """What the command `sweep` takes besides a scene, its laws and its engine."""
     one.add_argument("--ball", help="which ball is struck (the scene's first)")
-    for name, default in zip(NUMBERS, (None, "0", "0", "0", "0"), strict=True):
+    for name, default in zip(NUMBERS, (None, *"00000"), strict=True):
         one.add_argument(
             f"--{name}", metavar="RANGE", type=values, required=default is None, default=default,
             help="1.5, or 1,2,3 or FROM:TO:STEP with both ends; all combinations are played",
@@ -72,7 +72,7 @@ def sweep(world: World, options: argparse.Namespace) -> str:
     files = [file for file in (options.npz, options.csv) if file not in (None, "-")]
     for file in files:
         open(file, "ab").close()  # before all the work, not after it
-    shots = np.stack(np.meshgrid(*ranges, indexing="ij"), axis=-1).reshape(-1, 5)
+    shots = np.stack(np.meshgrid(*ranges, indexing="ij"), axis=-1).reshape(-1, len(NUMBERS))
     with pool(options.threads, options.processes) as executor, bar(total) as progress:
         parts = [
             simulate_many(world, ball, shots[k : k + PIECE], executor, progress=progress)
@@ -109,7 +109,7 @@ def bar(total: int) -> Iterator[Callable[[int], object] | None]:
 
 
 def write(file: str, names: list[str], shots: Any, outcomes: Outcomes) -> None:
-    """A line of names, then one a shot: its five numbers, time to rest, events, places at rest."""
+    """A line of names, then one a shot: its six numbers, time to rest, events, places at rest."""
     places = [f"{name} {axis}" for name in names for axis in "xy"]
     with nullcontext(sys.stdout) if file == "-" else open(file, "w", newline="") as out:
         rows = csv.writer(out)

@@ -35,21 +35,33 @@ def test_a_sweep_is_the_batch_of_all_combinations(tmp_path, capsys):
     ]  # fmt: skip
     wanted = simulate_many(scenes.carom(), "white", shots)
     head, table = rows(file.read_text())
-    assert head[:9] == [
-        "speed", "angle", "follow", "masse", "side", "time", "events", "white x", "white y"
+    assert head[:10] == [
+        "speed", "angle", "follow", "masse", "side", "climb", "time", "events", "white x", "white y"
     ]  # fmt: skip
-    assert np.array_equal(table[:, 5], wanted.times)
-    assert np.array_equal(table[:, 6], wanted.events)
-    assert np.array_equal(table[:, 7:].reshape(30, 4, 2), wanted.positions)
+    assert np.array_equal(table[:, 6], wanted.times)
+    assert np.array_equal(table[:, 7], wanted.events)
+    assert np.array_equal(table[:, 8:].reshape(30, 4, 2), wanted.positions)
     with np.load(arrays) as kept:
         assert kept["balls"].tolist() == ["white", "yellow", "red", "red 2"]
-        assert np.array_equal(kept["shots"], table[:, :5])
+        assert np.array_equal(kept["shots"], table[:, :6])
         assert np.array_equal(kept["positions"], wanted.positions)
     told = capsys.readouterr()
     assert told.out == ""
     assert told.err == (
         f"30 shots at white, {wanted.events.sum()} events; written to {arrays} and {file}\n"
     )
+
+
+def test_jumps_are_swept_like_the_other_numbers(capsys):
+    ranges = ["--speed", "2", "--angle", "0,1", "--climb", "-1:1.5:0.5"]
+    assert main(["sweep", "carom", *ranges, "--csv", "-"]) == 0
+    head, table = rows(capsys.readouterr().out)
+    climbs = [-1.0, -0.5, 0.0, 0.5, 1.0, 1.5]
+    assert table[:, head.index("climb")].tolist() == 2 * climbs
+    shots = [Shot(2.0, angle, climb=climb) for angle in (0, 1) for climb in climbs]
+    wanted = simulate_many(scenes.carom(), "white", shots)
+    assert np.array_equal(table[:, 8:].reshape(12, 4, 2), wanted.positions)
+    assert len(np.unique(wanted.times)) == 12  # the climb matters
 
 
 @pytest.mark.parametrize("more", [["--threads", "2"], ["--processes", "2"]])
@@ -97,6 +109,8 @@ def test_a_range_has_both_its_ends():
         (["--speed", "1", "--threads", "1", "--processes", "1"], "not allowed with"),
         (["--speed", "1", "--csv", "/nowhere/at/all.csv"], "/nowhere/at/all.csv"),
         (["--speed", "1", "--engine", "literal"], "never rests"),
+        (["--speed", "1", "--climb", "high"], "'high' is no number"),
+        (["--speed", "1", "--climb", "1", "--engine", "thesis"], "only balls on the table"),
     ],
 )
 def test_what_cannot_be_swept_is_said(arguments, message, capsys):
