@@ -4,19 +4,16 @@ from dataclasses import asdict, is_dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from .kernel.motion import AIRBORNE, OFF, RESTING, ROLLING, SLIDING
+from .ball import NAMES, Ball
 from .shot import Shot
 from .wall import Wall
 
 if TYPE_CHECKING:
-    from .ball import Ball
     from .world import World
 
 VERSION = 2  # 1 knew no balls in the air
 DISTURBED = "disturbed"
-PHASES = {
-    RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding", AIRBORNE: "airborne", OFF: "off"
-}  # fmt: skip
+PHASES = NAMES  # in files as elsewhere
 COMPLEX = ("position", "velocity", "acceleration", "roll")
 REAL = ("side", "height", "climb", "fall")
 # what an engine of fixed steps has noted about the leg's end, and beside it
@@ -109,7 +106,7 @@ def _wall(wall: Wall) -> Data:
     return {"name": wall.name, "normal": _pair(wall.normal), "offset": wall.offset}
 
 
-def _ball(ball: "Ball", paged: bool) -> Data:
+def _ball(ball: Ball, paged: bool) -> Data:
     body = ball.body
     paged = paged and body.phase in PHASES
     return {
