@@ -47,3 +47,7 @@ assert many.positions.shape == (1000, 2, 2)
 
 times, paths = trace(exact, rate=60)  # for plots: (frames, balls, 2), metres
 assert paths.shape == (len(times), 2, 2)
+
+# with a sixth number, m/s upward, the ball jumps; CueStroke.jump says what a raised cue gives
+jump = simulate(world, white, Shot(2.0, climb=1.0))
+print(f"the white comes down after {jump.log[0].time:.3f} s")

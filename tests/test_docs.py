@@ -11,6 +11,7 @@ def test_the_tour_runs(capsys):
     out = capsys.readouterr().out
     assert "white red" in out
     assert "stepping is off by 0.26" in out
+    assert "the white comes down after 0.204 s" in out
 
 
 def test_the_readme_gives_the_two_commands_that_the_gate_uses():
