@@ -4,6 +4,7 @@ numba's cache does not see that another file has changed, nor what it was asked 
 folder carries a hash of all that decides on the code, and of where and how old the kernel is.
 """
 
+import gc
 import hashlib
 import logging
 import os
@@ -18,7 +19,7 @@ from typing import Any
 
 from . import binding
 from .binding import FOLDER, load
-from .kernel.body import Line, Scene, Seat, Tie, rows, ties
+from .kernel.body import Body, Felt, Line, Rule, Scene, Seat, Tie, no_grid, rows, ties
 
 log = logging.getLogger("physics")
 _lock = Lock()  # threads may ask at once
@@ -95,9 +96,34 @@ def _kernel() -> ModuleType:
         os.utime(folder)  # its age is the time since its last use
     config.CACHE_DIR = str(folder)
     try:
-        return load(NAME, _subset())
+        package = load(NAME, _subset())
     finally:
         config.CACHE_DIR = before
+    _play_nothing(package)
+    return package
+
+
+def _play_nothing(package: ModuleType) -> None:
+    """No shot of one ball: so the kernel is compiled, or read from its folder, here and now.
+
+    Without looking for garbage meanwhile: the compiler leaves little (60 MB) and holds much, so
+    that the search is a seventh of its time.
+    """
+    import numpy as np
+
+    still = Scene(
+        [Body()], [inf], [], Felt(0.0, 0.0, 0.0), Rule(0), Rule(0), ties(1), False, no_grid(1)
+    )
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        package.calendar.many(
+            np.empty((0, 1, 9)), np.empty((0, 1, 2)), np.empty(0), np.empty(0, np.int64), 0,
+            _packed(still, package.body),
+        )  # fmt: skip
+    finally:
+        if collects:
+            gc.enable()
 
 
 def _forget(folder: Path) -> None:
@@ -121,9 +147,13 @@ def records(items: list[Any], kind: Any) -> Any:
 
 def packed(scene: Scene) -> Any:
     """The same scene in arrays, with room of its own, for the compiled kernel."""
+    return _packed(scene, kernel().body)
+
+
+def _packed(scene: Scene, body: Any) -> Any:
     import numpy as np
 
-    body, cells = kernel().body, scene.grid
+    cells = scene.grid
     felt, *rules = (
         rows([record])[0] for record in (scene.cloth, scene.ball_rule, scene.cushion_rule)
     )
