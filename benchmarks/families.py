@@ -83,6 +83,21 @@ def touching(k: int, dice: Random) -> Trial:
     return Trial(world)
 
 
+def jumps(k: int, dice: Random) -> Trial:
+    """Balls that jump, fall, and are hit in the air: under all laws, within walls at odd angles."""
+    world = world_of(dice)
+    scatter(world, k % 16 + 1, dice, freely=dice.random() < 0.5)
+    for ball in world.balls:
+        if dice.random() < 0.6:
+            push(ball, dice, dice.choice((0.3, 3.0)))
+        if dice.random() < 0.6:
+            room = min(wall.distance(ball.position) - ball.radius for wall in world.walls)
+            if room > 0.005:  # else it may be lifted into a nose
+                ball.height = dice.choice((0.0, dice.uniform(0.0, 0.1)))
+            ball.climb = dice.gauss(0.0, 1.2)
+    return Trial(world)
+
+
 def frozen(k: int, dice: Random) -> Trial:
     """A ball that touches a cushion: driven into it, along it, with spin into it; some with a
     neighbour.
@@ -238,6 +253,7 @@ FAMILIES: dict[str, tuple[Family, int, int]] = {
     "convoys": (convoys, 600, 30),
     "heaps": (heaps, 2000, 40),
     "springs": (springs, 2000, 40),
+    "jumps": (jumps, 5000, 48),
     "rejected": (rejected, 1000, 70),
     "stepped": (stepped, 240, 12),
     "landing": (landing, 500, 20),
