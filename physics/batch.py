@@ -191,7 +191,7 @@ class Job(NamedTuple):
         scene = self.scene._replace(
             balls=[body.twin(ball) for ball in self.scene.balls],
             meetings=self.scene.meetings[:],
-            ties=body.ties(balls),
+            ties=body.no_ties(balls),
             grid=body.twin_grid(self.scene.grid),
         )
         calendar.many(starts.tolist(), rests, times, counts, self.budget, scene)

@@ -69,7 +69,7 @@ def _subset() -> ModuleType:
     subset = ModuleType(f"{NAME}.subset")
     vars(subset).update(
         kernel=kernel, whole=whole,
-        inf=inf, sqrt=sqrt, exp=exp, complex=complex,
+        inf=inf, sqrt=sqrt, exp=exp, complex=complex, room=kernel(lambda ties, contacts: None),
         foreign_cushion=kernel(lambda v, roll, side, rule: (v, roll, side)),
         foreign_ball=kernel(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
     )  # fmt: skip

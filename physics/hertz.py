@@ -16,6 +16,7 @@ from .kernel.cluster import AGREES, SWEEPS, closing_speed, relax_rub, slip_betwe
 from .kernel.grid import NOBODY, pass_by
 from .kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
 from .kernel.motion import SLIDING, carry, length, place
+from .kernel.subset import room
 
 if TYPE_CHECKING:
     from .laws import HertzCluster
@@ -99,9 +100,9 @@ def _restitution(law: "HertzCluster", rule: Any) -> float:
 
 def _apply(contacts: Contacts, pushes: Sequence[float], scene: Scene) -> None:
     """The pushes, then the rubs; and a note of them where the engine looks for it."""
-    balls, room = scene.balls, scene.ties.contacts
-    room.extend(Tie() for _ in range(len(room), len(contacts)))  # a wide gap joins many
-    ties = room[: len(contacts)]
+    balls = scene.balls
+    room(scene.ties, len(contacts))
+    ties = scene.ties.contacts[: len(contacts)]
     for tie, (first, second), push in zip(ties, contacts, pushes, strict=True):
         tie.first, tie.second, tie.total, tie.push = first, second, push, push
         a, b = balls[first], balls[second]

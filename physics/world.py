@@ -8,7 +8,7 @@ from .ball import DISTURBED, Ball, Clock
 from .checks import finite, nonnegative
 from .cloth import Cloth
 from .engine import Engine, EventDriven
-from .kernel.body import Rule, Scene, grid, no_grid, ties, twin_grid
+from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_grid
 from .kernel.motion import OFF, RESTING, carry, length
 from .log import Log
 from .places import check_places
@@ -55,7 +55,7 @@ class World:
         self.log = Log()
         self.log.watch(self._walls)
         self.scene = Scene(
-            [], [], [], self._clock.cloth, *self._rules(), ties(0), False, no_grid(0)
+            [], [], [], self._clock.cloth, *self._rules(), no_ties(0), False, no_grid(0)
         )
         # for the engine: when the next event is due, from the epoch on; when it planned; its budget
         self.due = inf
@@ -92,7 +92,7 @@ class World:
         self.log.register(ball.name, ball.mass)
         table = [inf] * (n * n) if n <= FEW else []
         self.scene = self.scene._replace(
-            meetings=table, ties=ties(n), celled=False, grid=no_grid(n)
+            meetings=table, ties=no_ties(n), celled=False, grid=no_grid(n)
         )
 
     @property
@@ -308,7 +308,7 @@ class World:
             balls=[ball.body for ball in balls],
             meetings=self.scene.meetings[:],
             walls=self.scene.walls[:],
-            ties=ties(len(balls)),
+            ties=no_ties(len(balls)),
             grid=twin_grid(self.scene.grid) if self.scene.celled else no_grid(len(balls)),
         )
         if world._watched:

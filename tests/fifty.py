@@ -9,6 +9,7 @@ import mpmath
 
 from physics import World
 from physics.binding import load
+from physics.kernel.subset import room
 
 DIGITS = 50
 
@@ -25,7 +26,7 @@ def kernel() -> ModuleType:
     vars(subset).update(
         kernel=lambda function: function, inf=mpmath.inf, sqrt=mpmath.sqrt, exp=mpmath.exp,
         complex=mpmath.mpc, foreign_ball=_foreign, foreign_cushion=_foreign,
-        whole=lambda function: function,
+        whole=lambda function: function, room=room,
     )  # fmt: skip
     package: Any = load("physics.fifty_digit_kernel", subset)
     package.contact.NEAR = mpmath.mpf("1e-26")  # the gap left behind is its square

@@ -6,6 +6,8 @@ from math import inf, sqrt
 from operator import attrgetter
 from typing import Any, NamedTuple
 
+CONTACTS = 3  # a ball, in a cluster: more, discs on a table cannot have
+
 
 @dataclass(slots=True, eq=False)
 class Body:
@@ -148,9 +150,14 @@ class Scene(NamedTuple):
 
 
 def ties(balls: int) -> Ties:
-    """Room for as many contacts as discs on a table can have: three a ball."""
-    pairs = min(3 * balls, balls * (balls - 1) // 2)
+    """Room for as many contacts as there may be."""
+    pairs = CONTACTS * balls
     return Ties([0] * balls, [Tie() for _ in range(pairs)], [0] * pairs)
+
+
+def no_ties(balls: int) -> Ties:
+    """Room for balls that need none as long as no three touch: interpreted, it grows."""
+    return Ties([0] * balls, [], [])
 
 
 def no_grid(balls: int) -> Grid:

@@ -5,6 +5,7 @@ and again until none closes. So a symmetric rack stays symmetric, and a cradle p
 in line.
 """
 
+from .body import CONTACTS
 from .grid import neighbours
 from .laws import (
     FOREIGN_BALL,
@@ -18,7 +19,7 @@ from .laws import (
     toward,
 )
 from .motion import AIRBORNE, carry, length, place
-from .subset import complex, kernel
+from .subset import complex, kernel, room
 
 TOUCHING = 1e-8  # m: balls closer than this are in contact
 NOISE = 1e-11  # m/s: what closes more slowly within a cluster does so by rounding
@@ -76,6 +77,7 @@ def gather(i, j, time, scene):
     balls, ties, grid = scene.balls, scene.ties, scene.grid
     member = ties.member
     member[0], member[1] = i, j
+    room(ties, 1)
     join(i, j, ties.contacts[0])
     members, contacts, m = 2, 1, 0
     while m < members:
@@ -91,7 +93,8 @@ def gather(i, j, time, scene):
                 carry(balls[k], time, scene.cloth)
                 member[members] = k
                 members += 1
-            if at > m and contacts < len(ties.contacts):  # balls of nanometres may touch more
+            if at > m and contacts < CONTACTS * len(balls):  # balls of nanometres may touch more
+                room(ties, contacts + 1)
                 join(a, k, ties.contacts[contacts])
                 contacts += 1
         m += 1

@@ -12,6 +12,8 @@ from math import inf as inf
 from math import sqrt as sqrt
 from typing import Any, TypeVar
 
+from .body import Tie
+
 F = TypeVar("F", bound=Callable[..., Any])
 
 
@@ -26,6 +28,13 @@ def whole(function: F) -> F:
     Compiled, it becomes a part of whoever calls it.
     """
     return function
+
+
+def room(ties: Any, contacts: int) -> None:
+    """Room for so many contacts, which compiled code has from the start."""
+    while len(ties.contacts) < contacts:
+        ties.contacts.append(Tie())
+        ties.chosen.append(0)
 
 
 def foreign_cushion(v: complex, roll: complex, side: float, rule: Any) -> Any:
