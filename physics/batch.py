@@ -137,8 +137,10 @@ def _starts(world: World, name: str, table: Any, np: Any) -> Any:
         starts[:, k] = start(ball.disturb())
         if ball.name == name:
             speed, angle, follow, masse, side = table.T[:5]
-            # one by one: numpy's own sine may differ in the last digit from the one that Shot uses
-            d = np.array([direction(a) for a in angle.tolist()], complex)
+            # one by one: numpy's own sine may differ in the last digit from the one that Shot uses;
+            # but each once, as a sweep has the same angles over and over
+            angles, which = np.unique(angle, return_inverse=True)
+            d = np.array([direction(a) for a in angles.tolist()], complex)[which]
             starts[:, k, 2], starts[:, k, 3] = speed * d.real, speed * d.imag
             starts[:, k, 4] = follow * d.real + masse * d.imag
             starts[:, k, 5] = follow * d.imag - masse * d.real
