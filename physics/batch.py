@@ -64,8 +64,8 @@ def simulate_many(
         raise ValueError(f"simulate_many progress must be callable, not {progress!r}")
     world.plan()
     table = _table(shots, np)
-    job, rows = _job(world, world.ball(ball).on_table().name, table, compiled, np)
-    pieces = [rows[k : k + job.chunk] for k in range(0, len(rows), job.chunk)] or [rows]
+    job = _job(world, world.ball(ball).on_table().name, len(table), compiled, np)
+    pieces = [table[k : k + job.chunk] for k in range(0, len(table), job.chunk)] or [table]
     parts = []
     for piece, part in zip(pieces, _parts(job, pieces, executor), strict=True):
         parts.append(part)
@@ -79,15 +79,18 @@ def simulate_many(
 
 
 def _job(
-    world: World, name: str, table: Any, compiled: bool | None, np: Any
-) -> tuple[Job | OneByOne, Any]:
-    """Who plays the shots, and what they are told of each."""
+    world: World, name: str, shots: int, compiled: bool | None, np: Any
+) -> Job | OneByOne:
+    """Who plays the shots."""
     if isinstance(world.engine, EventDriven) and world.cluster_law is None:
-        choice = _choose(world, len(table), compiled)
-        return Job(world.scene, world.engine.budget, choice, CHUNK), _starts(world, name, table, np)
+        choice = _choose(world, shots, compiled)
+        balls = world.copy().balls
+        struck = next(k for k, ball in enumerate(balls) if ball.name == name)
+        before = np.array([start(ball.disturb()) for ball in balls])
+        return Job(world.scene, before, struck, world.engine.budget, choice, CHUNK)
     if compiled:
         raise ValueError("this engine or cluster law runs interpreted: compiled=True cannot be")
-    return OneByOne(world.copy(), name), table
+    return OneByOne(world.copy(), name)
 
 
 def _parts(job: Job | OneByOne, pieces: list[Any], executor: Executor | None) -> Iterator[Any]:
@@ -130,25 +133,6 @@ def start(ball: body.Body) -> tuple[float, ...]:
     return p.real, p.imag, v.real, v.imag, w.real, w.imag, ball.side, ball.height, ball.climb
 
 
-def _starts(world: World, name: str, table: Any, np: Any) -> Any:
-    """(shots, balls, 9): the `start` of every ball when the shot is struck."""
-    starts = np.empty((len(table), len(world.balls), 9))
-    for k, ball in enumerate(world.copy().balls):
-        starts[:, k] = start(ball.disturb())
-        if ball.name == name:
-            speed, angle, follow, masse, side = table.T[:5]
-            # one by one: numpy's own sine may differ in the last digit from the one that Shot uses;
-            # but each once, as a sweep has the same angles over and over
-            angles, which = np.unique(angle, return_inverse=True)
-            d = np.array([direction(a) for a in angles.tolist()], complex)[which]
-            starts[:, k, 2], starts[:, k, 3] = speed * d.real, speed * d.imag
-            starts[:, k, 4] = follow * d.real + masse * d.imag
-            starts[:, k, 5] = follow * d.imag - masse * d.real
-            starts[:, k, 6] = side
-            starts[:, k, 8] = table[:, 5] if table.shape[1] == 6 else 0.0
-    return starts
-
-
 def _choose(world: World, shots: int, compiled: bool | None) -> bool:
     """Compiled or not?  A law from outside cannot be compiled."""
     rules = world.scene.ball_rule, world.scene.cushion_rule
@@ -165,13 +149,34 @@ class Job(NamedTuple):
     """What every piece of a batch needs: it can be sent to another process or machine."""
 
     scene: body.Scene
+    before: Any  # (balls, 9): the `start` of every ball, but for the shot
+    struck: int
     budget: int
     compiled: bool
     chunk: int
 
-    def run(self, starts: Any) -> tuple[Any, Any, Any]:
-        """(positions, times, events) of the shots that start so."""
+    def run(self, table: Any) -> tuple[Any, Any, Any]:
+        """(positions, times, events) of the shots in the rows."""
+        starts = self._starts(table)
         return self._compiled(starts) if self.compiled else self._interpreted(starts)
+
+    def _starts(self, table: Any) -> Any:
+        """(shots, balls, 9): the `start` of every ball when the shot is struck."""
+        import numpy as np
+
+        starts = np.tile(self.before, (len(table), 1, 1))
+        speed, angle, follow, masse, side = table.T[:5]
+        # one by one: numpy's own sine may differ in the last digit from the one that Shot uses; but
+        # each once, as a sweep has the same angles over and over
+        angles, which = np.unique(angle, return_inverse=True)
+        d = np.array([direction(a) for a in angles.tolist()], complex)[which]
+        mine = starts[:, self.struck]
+        mine[:, 2], mine[:, 3] = speed * d.real, speed * d.imag
+        mine[:, 4] = follow * d.real + masse * d.imag
+        mine[:, 5] = follow * d.imag - masse * d.real
+        mine[:, 6] = side
+        mine[:, 8] = table[:, 5] if table.shape[1] == 6 else 0.0
+        return starts
 
     def _compiled(self, starts: Any) -> tuple[Any, Any, Any]:
         import numpy as np
