@@ -40,7 +40,8 @@ def cache_folder() -> Path:
 
     paths = sorted(FOLDER.glob("*.py"))
     sources = b"".join(path.read_bytes() for path in (*paths, *BINDING))
-    place = f"{numba.__version__} {FOLDER} {[path.stat().st_mtime_ns for path in paths]}"
+    checks = numba.core.config.BOUNDSCHECK
+    place = f"{numba.__version__} {checks} {FOLDER} {[path.stat().st_mtime_ns for path in paths]}"
     key = hashlib.sha256(sources + place.encode()).hexdigest()[:16]
     home = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
     return Path(home) / "danggu" / f"kernel-{key}"

@@ -105,3 +105,11 @@ def test_of_two_who_remove_the_same_kernel_one_does_and_neither_fails(home, monk
     monkeypatch.setattr(Path, "rename", too_late)
     assert kernel() == "loaded"
     assert not old.exists()
+
+
+def test_code_with_checked_bounds_is_kept_apart(home, monkeypatch):
+    from numba.core import config
+
+    folder = compiled.cache_folder()
+    monkeypatch.setattr(config, "BOUNDSCHECK", 1)
+    assert compiled.cache_folder() != folder
