@@ -33,7 +33,7 @@ class Moment(NamedTuple):
 
 def moment(game: Game) -> Moment:
     """The game as it is now."""
-    states = tuple(State(b.position, b.velocity, b.spin) for b in game.world.balls)
+    states = tuple(game.layout())
     aim, kept = game.aim, tuple(take() for take, _ in game.history.keepers)
     return Moment(
         game.world, states, tuple(aim.texts), aim.complete, game.moving, game.shots, game.cue, kept
@@ -77,7 +77,7 @@ class History:
             _restore(game, before)
             game.strike()
             skip(game)
-            lies = tuple(State(b.position, b.velocity, b.spin) for b in game.world.balls)
+            lies = tuple(game.layout())
             if after.moving or lies == after.states:
                 return True
         _restore(game, after)

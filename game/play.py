@@ -81,7 +81,7 @@ class Game:
         self.shown_shot = False
         """Is the last shot on show, rather than the next one?"""
         self.came_with = Terms(world.ball_law, world.cushion_law, world.cloth)
-        self._lay = self._layout()
+        self._lay = self.layout()
         self._seen: tuple[object, dict[str, State]] = (None, {})
         self._previewed: tuple[object, Preview | None] = (None, None)
         self._forecast: tuple[object, Story] = (None, NO_STORY)
@@ -171,7 +171,7 @@ class Game:
             return
         self.arranging = False
         if not self.moving:
-            self._lay = self._layout()
+            self._lay = self.layout()
         self.head.live()
         self.world.log.clear()
         self.began = self.world.time
@@ -191,8 +191,8 @@ class Game:
 
     def lay(self, places: Sequence[setup.Place]) -> None:
         """Lay all balls down at rest, in their order, metres."""
-        self.put([State(at, (0.0, 0.0), (0.0, 0.0, 0.0)) for at in places])
-        self._lay = self._layout()
+        self.put(setup.lying(places))
+        self._lay = self.layout()
 
     def put_ball(self, name: str, at: setup.Place) -> None:
         """Lay one ball down elsewhere."""
@@ -202,8 +202,7 @@ class Game:
         if self.contest is not None:
             self.refuse("match")
             return
-        spots = setup.places(self.world, self._rng)
-        self.put([State(at, (0.0, 0.0), (0.0, 0.0, 0.0)) for at in spots])
+        self.put(setup.lying(setup.places(self.world, self._rng)))
 
     def _stop(self) -> None:
         """Stop all balls; the stroke of a match goes on to its end instead, for it counts."""
@@ -346,7 +345,8 @@ class Game:
         """Does anything move, roll or spin on the spot?"""
         return any(ball.phase != "resting" or ball.spin[2] != 0.0 for ball in self.world.balls)
 
-    def _layout(self) -> list[State]:
+    def layout(self) -> list[State]:
+        """How the balls lie, or move, now."""
         return [State(b.position, b.velocity, b.spin) for b in self.world.balls]
 
     def put(self, states: Sequence[State]) -> None:
@@ -365,7 +365,7 @@ class Game:
     def seen(self) -> dict[str, State]:
         """Every ball at the moment on show: now, or the one that the timeline has been put to."""
         if self.head.at is None:
-            return {b.name: State(b.position, b.velocity, b.spin) for b in self.world.balls}
+            return dict(zip(self.world.log.names, self.layout(), strict=True))
         key = self.stamp, self.began, self.head.at
         if key != self._seen[0]:
             self._seen = key, self.world.log.at(playhead.moment(self))

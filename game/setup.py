@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import physics
-from physics import Ball, Cloth, EventDriven, World, laws, scenes, tables
+from physics import Ball, Cloth, EventDriven, State, World, laws, scenes, tables
 
 Place = tuple[float, float]
 
@@ -117,6 +117,11 @@ def places(world: World, rng: random.Random) -> list[Place]:
         else:
             raise ValueError(f"no room for ball {ball.name!r}")
     return [at for at, _ in found]
+
+
+def lying(places: Sequence[Place]) -> list[State]:
+    """The states of balls that lie there at rest."""
+    return [State(at, (0.0, 0.0), (0.0, 0.0, 0.0)) for at in places]
 
 
 def _somewhere(rng: random.Random, quadrant: int, x: float, y: float, radius: float) -> Place:

@@ -8,6 +8,7 @@ from math import hypot, inf
 from typing import NoReturn
 
 from . import scenes, sweep, tables
+from .batch import NUMBERS
 from .engine import EventBudgetError, EventDriven
 from .log import Event
 from .stepping import SCHEMES, TimeStepping
@@ -44,7 +45,7 @@ def joined(words: list[str]) -> list[str]:
     """`--angle -10:10:1` as `--angle=-10:10:1`, which argparse does not mistake for an option."""
     whole: list[str] = []
     for word in words:
-        if whole and whole[-1][2:] in sweep.NUMBERS and re.match(r"-[\d.]", word):
+        if whole and whole[-1][2:] in NUMBERS and re.match(r"-[\d.]", word):
             whole[-1] += f"={word}"
         else:
             whole.append(word)

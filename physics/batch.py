@@ -25,7 +25,8 @@ CHUNK = 4096  # shots that an executor is handed at once: 10 ms compiled, 0.5 s 
 WORTH = 5000  # shots: below that, loading the compiled kernel takes longer than it saves
 
 
-_numbers = attrgetter("speed", "angle", "follow", "masse", "side", "climb")
+NUMBERS = ("speed", "angle", "follow", "masse", "side", "climb")
+_numbers = attrgetter(*NUMBERS)
 
 
 class Outcomes(NamedTuple):

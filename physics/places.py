@@ -5,6 +5,7 @@ from math import hypot
 
 from .ball import Ball
 from .kernel.body import Rule
+from .kernel.flight import nose
 from .wall import Wall
 
 OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
@@ -34,9 +35,8 @@ def check_places(balls: Sequence[Ball], walls: Sequence[Wall], rule: Rule, slack
 
 def _depth(ball: Ball, wall: Wall, rule: Rule) -> float:
     """How far the ball is in the wall, m; in the air only the wall's nose is in its way."""
-    r, height = ball.radius, ball.height
-    gap = wall.distance(ball.position) - r
-    across = gap + r * rule.level
-    if height > 0.0 and across > 0.0:
-        return r - hypot(across, r * rule.height - height)
+    gap = wall.distance(ball.position) - ball.radius
+    across, above = nose(gap, ball.radius, ball.height, rule)
+    if ball.height > 0.0 and across > 0.0:
+        return ball.radius - hypot(across, above)
     return -gap

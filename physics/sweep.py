@@ -11,12 +11,11 @@ from contextlib import contextmanager, nullcontext
 from math import floor, isfinite, prod
 from typing import TYPE_CHECKING, Any
 
-from .batch import Outcomes, simulate_many
+from .batch import NUMBERS, Outcomes, simulate_many
 
 if TYPE_CHECKING:
     from .world import World
 
-NUMBERS = ("speed", "angle", "follow", "masse", "side", "climb")
 MOST = 10_000_000  # shots: the outcomes of four balls fill a gigabyte
 PIECE = 200_000  # shots that are made ready at once: 50 MB
 PATIENCE = 1.0  # s: what is done by then needs no bar

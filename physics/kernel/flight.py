@@ -31,7 +31,7 @@ def plan_flight(ball, walls, cloth, rule):
     ball.phase, ball.fall = AIRBORNE, cloth.gravity
     lasts = first_fall(ball.height, ball.climb, -cloth.gravity)
     for k in range(len(walls)):
-        across, above = nose(ball, walls[k], rule)
+        across, above = nose(gap(ball, walls[k]), ball.radius, ball.height, rule)
         speed = (walls[k].inward * ball.velocity).real
         wait = contact_time(
             complex(across, -above), complex(speed, ball.climb), complex(0.0, -ball.fall),
@@ -47,13 +47,18 @@ def plan_flight(ball, walls, cloth, rule):
 
 
 @kernel
-def nose(ball, wall, rule):
+def gap(ball, wall):
+    """How far the ball is from touching the wall on the table."""
+    return (wall.inward * ball.position).real - wall.offset - ball.radius
+
+
+@kernel
+def nose(gap, radius, height, rule):
     """How far the centre is from the nose of the cushion, across, and the nose above the centre.
 
     On the table a ball touches it at `rule.height` radii above the centre.
     """
-    gap = (wall.inward * ball.position).real - wall.offset - ball.radius
-    return gap + ball.radius * rule.level, ball.radius * rule.height - ball.height
+    return gap + radius * rule.level, radius * rule.height - height
 
 
 @kernel
@@ -77,7 +82,7 @@ def leave_table(ball):
 @kernel
 def hit_nose(ball, wall, rule):
     """The push goes through the centre, wherever the nose meets the ball; friction as it can."""
-    across, above = nose(ball, wall, rule)
+    across, above = nose(gap(ball, wall), ball.radius, ball.height, rule)
     size = sqrt(across * across + above * above)
     line, rise = -across / size * wall.normal, above / size
     closing = (line.conjugate() * ball.velocity).real + rise * ball.climb
