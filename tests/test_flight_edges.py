@@ -1,6 +1,7 @@
 """Balls in the air at the edges: saved anywhere, laws changed there, off the table, out of time."""
 
 import math
+from importlib.util import find_spec
 
 import pytest
 
@@ -90,7 +91,7 @@ def test_a_hop_too_short_for_the_clock_ends_on_the_cloth():
         world.add(Ball("a", (0.0, 0.0)))
         shots = [Shot(1.0, climb=1.0)]
         plain = simulate_many(world, "a", shots, compiled=False)
-        if pytest.importorskip("numba"):
+        if find_spec("numba"):
             fast = simulate_many(world, "a", shots, compiled=True)
             assert (fast.positions == plain.positions).all()
         rests.append(plain.positions[0, 0, 0])
@@ -109,6 +110,7 @@ def test_a_ball_from_beyond_the_sky_comes_down(name, value):
 def test_a_ball_off_the_table_can_only_be_given_a_position():
     world = off_the_table()
     ball = world.ball("a")
+    left = ball.position
     for act in (
         lambda: setattr(ball, "velocity", (1.0, 1.0)),
         lambda: setattr(ball, "spin", (1.0, 1.0, 1.0)),
@@ -121,8 +123,7 @@ def test_a_ball_off_the_table_can_only_be_given_a_position():
     with pytest.raises(ValueError, match=r"'a'.*it is off"):
         ball.phase = "resting"
     world.run()
-    assert world.log.masses[0] == MASS
-    assert (ball.phase, ball.velocity) == ("off", (0.0, 0.0))
+    assert (ball.phase, ball.position, ball.velocity) == ("off", left, (0.0, 0.0))
 
 
 def test_a_phase_of_the_cloth_is_refused_in_the_air():
