@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from physics import Event, World, laws
+from physics.kernel.lasting import HOP, SPREAD
 
 OVERLAP = 1e-12  # m
 ROUNDING = 1e-12  # of the total energy or momentum
@@ -199,9 +200,8 @@ def _named(world: World, odd: Any, times: Any, epoch: float, faults: tuple[Any, 
     for k in odd:
         events = happened.get(epoch + float(times[k]), [])  # none if somebody pushed
         kinds = {event.kind for event in events}
-        bound = sum(
-            BLOWS * 0.5 * _lightest(world, event) * world.engine.vmin**2 for event in events
-        )
+        lent = sum(_lightest(world, event) * _floor(world, event) for event in events)
+        bound = 0.5 * BLOWS * lent
         if events and step[k] > OVERLAP:
             found.append(f"a ball jumps by {step[k]:.2e} m at t = {times[k]}")
         if events and gain[k] > bound and not _creates(world, kinds):
@@ -209,7 +209,7 @@ def _named(world: World, odd: Any, times: Any, epoch: float, faults: tuple[Any, 
         if kinds == {"ball"} and not isinstance(world.ball_law, laws.ThesisBall):
             if drift[k] > ROUNDING:
                 found.append(f"momentum changes by {drift[k]:.3e} of all at t = {times[k]}")
-            if twist[k] > _apart(world):
+            if twist[k] > max(_apart(world), *(_hop(world, event) for event in events)):
                 found.append(f"angular momentum changes by {twist[k]:.3e} m at t = {times[k]}")
     return found[:3]
 
@@ -217,6 +217,19 @@ def _named(world: World, odd: Any, times: Any, epoch: float, faults: tuple[Any, 
 def _apart(world: World) -> float:
     """m: how far apart the contacts of a cluster may be, and so rub off their line."""
     return TOUCHING if world.cluster_law is None else max(TOUCHING, world.cluster_law.gap)
+
+
+def _hop(world: World, event: Event) -> float:
+    """m: how far apart things may be that stay together; 0 if the event is too quick for that."""
+    radius = max(world.ball(name).radius for name in event.balls)
+    hop = SPREAD * HOP * radius
+    return hop if event.closing**2 <= 8.0 * world.cloth.slide * world.cloth.gravity * hop else 0.0
+
+
+def _floor(world: World, event: Event) -> float:
+    """The square of the speed at which things may part whatever the law says: what it lends."""
+    lent = 2.0 * world.cloth.slide * world.cloth.gravity * _hop(world, event)
+    return max(world.engine.vmin**2, lent)
 
 
 def _states(parts: list[Legs], radius: Any, fade: float, times: Any, side: Any) -> list[Any]:
@@ -273,7 +286,7 @@ def _event_faults(world: World, events: Iterable[Event]) -> list[str]:
         last = event.time
         if not all(map(isfinite, (event.time, event.closing, event.impulse, event.energy_lost))):
             found.append(f"an event is not finite: {event}")
-        bound = BLOWS * 0.5 * heaviest * world.engine.vmin**2
+        bound = BLOWS * 0.5 * heaviest * _floor(world, event)
         made = -event.energy_lost - bound - ROUNDING * _weight(world, event)
         if made > 0.0 and not _creates(world, {event.kind}):
             found.append(f"an event makes {-event.energy_lost:.3e} J at t = {event.time}")

@@ -62,7 +62,7 @@ def without_rest(package: Package) -> None:
 
 
 def without_sign(package: Package) -> None:
-    contact, near = package.contact, package.contact.NEAR
+    contact = package.contact
 
     def contact_time(q0: complex, v: complex, a: complex, distance: float, horizon: float) -> float:
         time, q, w = 0.0, q0, v
@@ -74,7 +74,7 @@ def without_sign(package: Package) -> None:
             if time >= horizon:
                 return inf
             pace = abs(w.real) + abs(w.imag) + wait * (abs(a.real) + abs(a.imag))
-            if wait == 0.0 or wait * pace < near:
+            if wait == 0.0 or wait * pace < contact.NEAR * distance:
                 return time
             q = q0 + time * (v + 0.5 * time * a)
             w = v + time * a

@@ -2,9 +2,10 @@
 
 from collections.abc import Sequence
 
-from .checks import finite, nonnegative, positive, vector
+from .checks import finite, nonnegative, positive, sizable, vector
 from .kernel.body import Body, Felt, twin
 from .kernel.flight import aloft
+from .kernel.lasting import forget
 from .kernel.motion import (
     AIRBORNE,
     OFF,
@@ -71,7 +72,7 @@ class Ball:
         self._name = name
         self._clock = Clock(NOWHERE)
         self._body = Body(
-            positive(f"ball {name!r}: radius", radius), positive(f"ball {name!r}: mass", mass)
+            positive(f"ball {name!r}: radius", radius), sizable(f"ball {name!r}: mass", mass)
         )
         self.position = at
         self.velocity = velocity
@@ -209,6 +210,7 @@ class Ball:
             body.fall = 0.0
             body.phase = DISTURBED
             body.trapped = 0
+            forget(body)
         self._clock.disturbed = True
         return body
 

@@ -55,7 +55,7 @@ def simulate_many(
     interpreter; None takes numba where it is installed and worth it. The digits are the same,
     and those of `simulate` if all balls lie still before the shot.
     progress is called with the number of shots done since it was last called.
-    ValueError names a bad shot, executor or progress; EventBudgetError as in a run.
+    ValueError names a bad shot, executor or progress; other errors are those of a run.
     """
     import numpy as np
 
@@ -73,7 +73,7 @@ def simulate_many(
         if progress is not None:
             progress(len(piece))
     outcomes = Outcomes(*(np.concatenate(column) for column in zip(*parts, strict=True)))
-    over = np.flatnonzero(outcomes.events > job.budget)
+    over = np.flatnonzero((outcomes.events > job.budget) | (outcomes.events < 0))
     if len(over):
         simulate(world, ball, Shot(*table[over[0]].tolist()))  # raises, with the scene
     return outcomes

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
 NO_NUMBERS = (str, bytes, bytearray, bool)  # though float takes them
+SMALLEST = 1e-250  # of a mass: its inverse is still a number
 LARGEST = 1e50  # in any unit: its fourth power is still a number, and so is all that comes of it
 
 
@@ -29,6 +30,13 @@ def positive(name: str, value: float) -> float:
     number = finite(name, value)
     if number <= 0.0:
         raise ValueError(f"{name} must be above zero, not {value!r}")
+    return number
+
+
+def sizable(name: str, value: float) -> float:
+    number = positive(name, value)
+    if number < SMALLEST:
+        raise ValueError(f"{name} must be at least {SMALLEST:g}, not {value!r}")
     return number
 
 
@@ -54,7 +62,7 @@ def array(name: str, values: Any) -> "npt.NDArray[np.float64]":
         found = np.asarray(values)
         if found.dtype.kind in "iufO":
             return found.astype(float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         pass
     raise ValueError(f"{name} must be numbers, not {values!r:.80}")
 

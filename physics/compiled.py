@@ -19,7 +19,7 @@ from typing import Any
 
 from . import binding
 from .binding import FOLDER, load
-from .kernel.body import Body, Felt, Line, Rule, Scene, Seat, Tie, no_grid, rows, ties
+from .kernel.body import Blow, Body, Felt, Line, Rule, Scene, Seat, Tie, no_grid, rows, ties
 
 log = logging.getLogger("physics")
 _lock = Lock()  # threads may ask at once
@@ -158,8 +158,10 @@ def _packed(scene: Scene, body: Any) -> Any:
     felt, *rules = (
         rows([record])[0] for record in (scene.cloth, scene.ball_rule, scene.cushion_rule)
     )
-    member, contacts, chosen = ties(len(scene.balls))
-    room = body.Ties(np.array(member), records(contacts, Tie()), np.array(chosen, int))
+    member, contacts, chosen, blows = ties(len(scene.balls))
+    room = body.Ties(
+        np.array(member), records(contacts, Tie()), np.array(chosen, int), records(blows, Blow())
+    )
     head, seats, tree, near = cells[5:]
     grid = body.Grid(
         *cells[:5], np.array(head, int), records(seats, Seat()), np.array(tree, int), np.array(near)

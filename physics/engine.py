@@ -5,8 +5,19 @@ from math import inf
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from .checks import keep, nonnegative, positive
-from .kernel.calendar import CLUSTER, NOTHING, PAIR, happen, plan_meetings, soonest, start_leg
+from .kernel.calendar import (
+    CLUSTER,
+    LASTING,
+    NOTHING,
+    PAIR,
+    UNSOLVED,
+    happen,
+    plan_meetings,
+    soonest,
+    start_leg,
+)
 from .kernel.grid import locate
+from .kernel.impulses import WALL
 
 if TYPE_CHECKING:
     from .world import World
@@ -37,6 +48,22 @@ class EventBudgetError(RuntimeError):
         super().__init__(f"more than {budget} events by t = {time!r} s; the scene is in .scene")
         self.scene = scene
         self._told = budget, time, scene
+
+    def __reduce__(self) -> Any:
+        """It may come from another process."""
+        return type(self), self._told
+
+
+class ContactError(RuntimeError):
+    """No impulses were found that make all the balls that touch at one instant part.
+
+    `.scene` is as in EventBudgetError; nothing of that instant has been applied to the log.
+    """
+
+    def __init__(self, time: float, scene: dict[str, Any]) -> None:
+        super().__init__(f"no impulses make all contacts part at t = {time!r} s; see .scene")
+        self.scene = scene
+        self._told = time, scene
 
     def __reduce__(self) -> Any:
         """It may come from another process."""
@@ -86,8 +113,11 @@ class EventDriven:
             kind, other = happen(i, scene) if law is None else _springs(i, scene, law)
             if kind == NOTHING:
                 continue
-            if kind == CLUSTER:
-                _note_cluster(world, time, other)
+            if kind == UNSOLVED:
+                world.reached(time)
+                raise ContactError(epoch + time, _scene(world, self.budget))
+            if kind in (CLUSTER, LASTING):
+                _note_cluster(world, time, other, kind == LASTING)
             else:
                 log.begin(i, epoch, balls[i], fade)
                 if kind == PAIR:
@@ -111,10 +141,13 @@ def _scene(world: "World", budget: int) -> Any:
     return planned_data(world, budget)
 
 
-def _note_cluster(world: "World", time: float, contacts: int) -> None:
+def _note_cluster(world: "World", time: float, contacts: int, lasting: bool) -> None:
     ties = world.scene.ties.contacts[:contacts]
+    asked = [(t.first, t.second, t.target) for t in ties if t.target > -inf] if lasting else []
     pairs = [(tie.first, tie.second, tie.total) for tie in ties if tie.total > 0.0]
-    members = sorted({ball for tie in ties for ball in (tie.first, tie.second)})
+    members = sorted({ball for tie in ties for ball in (tie.first, tie.second) if ball > WALL})
     for i in members:
         world.log.begin(i, world.epoch, world.scene.balls[i], world.scene.cloth.fade)
-    world.log.note_cluster(world.epoch, time, pairs, members)
+    world.log.note_cluster(world.epoch, time, pairs, members, asked)
+    if not pairs:
+        world.allowed -= 1  # which must not go on for ever either

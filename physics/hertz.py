@@ -9,11 +9,13 @@ from collections.abc import Sequence
 from math import inf, log1p
 from typing import TYPE_CHECKING, Any
 
-from .kernel.body import Body, Scene, Tie
-from .kernel.calendar import CLUSTER, NOTHING, plan_meetings, start_leg
+from .kernel.body import Body, Scene
+from .kernel.calendar import CLUSTER, NOTHING, UNSOLVED, plan_meetings, start_leg
 from .kernel.calendar import happen as happen_quickly
-from .kernel.cluster import AGREES, SWEEPS, closing_speed, relax_rub, slip_between
+from .kernel.cluster import closing_speed
 from .kernel.grid import NOBODY, pass_by
+from .kernel.impulses import RUB, ask, slip_between, solve
+from .kernel.lasting import leans
 from .kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
 from .kernel.motion import SLIDING, carry, length, place
 from .kernel.subset import room
@@ -58,11 +60,13 @@ def happen(i: int, scene: Scene, law: "HertzCluster") -> Any:
     for m in members:
         carry(balls[m], time, scene.cloth)
     closing = [closing_speed(balls[a], balls[b]) for a, b in contacts]
-    if max(closing) <= rule.parting:  # it only leans: the kernel's laws make things part at once
+    quiet = max(closing) <= rule.parting or leans(ball, balls[j], scene.cloth)
+    if quiet:  # what lasts is the kernel's
         return happen_quickly(i, scene)
     e = _restitution(law, rule)
     pushes = outcome([balls[m] for m in members], _within(contacts, members), e)
-    _apply(contacts, pushes, scene)
+    if not _apply(contacts, pushes, scene):
+        return UNSOLVED, len(contacts)
     for m in members:
         start_leg(m, scene)
     for m in members:
@@ -98,29 +102,36 @@ def _restitution(law: "HertzCluster", rule: Any) -> float:
     return max(LEAST, rule.restitution if law.e is None else law.e)
 
 
-def _apply(contacts: Contacts, pushes: Sequence[float], scene: Scene) -> None:
-    """The pushes, then the rubs; and a note of them where the engine looks for it."""
+def _apply(contacts: Contacts, pushes: Sequence[float], scene: Scene) -> bool:
+    """The pushes, then the rubs; and a note of them where the engine looks for it.
+
+    False if the rubs could not be found.
+    """
     balls = scene.balls
     room(scene.ties, len(contacts))
     ties = scene.ties.contacts[: len(contacts)]
     for tie, (first, second), push in zip(ties, contacts, pushes, strict=True):
-        tie.first, tie.second, tie.total, tie.push = first, second, push, push
+        tie.first, tie.second, tie.total = first, second, push
         a, b = balls[first], balls[second]
         press(a, b, toward(a, b), push, 0j)
     if scene.ball_rule.kind in (ROUGH_BALL, ALCIATORE_BALL):
-        _rub(ties, scene)
+        return _rub(len(contacts), scene)
+    return True
 
 
-def _rub(ties: Sequence[Tie], scene: Scene) -> None:
-    """Of all rubs that friction can hold, those that leave the least energy: contact by contact."""
-    balls, fastest = scene.balls, 0.0
-    for tie in ties:
+def _rub(contacts: int, scene: Scene) -> bool:
+    """Of all rubs that friction can hold, those that leave the least energy."""
+    balls, ties, chosen = scene.balls, scene.ties, 0
+    for c in range(contacts):
+        tie = ties.contacts[c]
         a, b = balls[tie.first], balls[tie.second]
-        tie.grip, tie.rub = grip(slip_between(a, b, toward(a, b)), scene.ball_rule), 0j
-        fastest = max(fastest, length(a.velocity), length(b.velocity))
-    for _ in range(SWEEPS):
-        if max([relax_rub(tie, balls) for tie in ties]) <= AGREES * fastest:
-            return
+        slip = slip_between(a, b, toward(a, b))
+        ask(RUB, tie, balls)
+        tie.bound = grip(slip, scene.ball_rule) * tie.total / tie.size
+        if tie.total > 0.0:
+            ties.chosen[chosen] = c
+            chosen += 1
+    return bool(solve(RUB, chosen, balls, ties))
 
 
 def outcome(balls: Sequence[Body], contacts: Contacts, e: float) -> list[float]:

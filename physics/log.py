@@ -9,6 +9,7 @@ from .checks import finite
 from .kernel.body import Body
 from .kernel.calendar import CUSHION, PAIR, PHASE
 from .kernel.flight import LEAVES
+from .kernel.impulses import WALL
 from .kernel.motion import AIRBORNE, OFF, RESTING, ROLLING, altitude, faded, length
 from .wall import Wall
 
@@ -154,14 +155,21 @@ class Log(Sequence[Event]):
         time: float,
         pairs: Sequence[tuple[int, int, float]],
         members: Sequence[int],
+        asked: Sequence[tuple[int, int, float]],
     ) -> None:
-        """Contacts (ball, ball, impulse) of one instant among the members; new legs have begun."""
+        """Contacts (ball, ball or -1 - wall, impulse) of one instant among the members; new legs
+        have begun.  Of contacts that last, also how fast each was asked to part."""
         last = tuple((m, len(self._legs[m]) - 1) for m in members)
         legs = dict(last)
         whole = sum(push for _, _, push in pairs)
         for i, j, push in pairs:
-            shared = (push, push / whole, last)
-            self._events.append((epoch, time, PAIR, j, i, legs[i], j, legs[j], shared))
+            shared = (push, push / whole, last, asked)
+            if j <= WALL:
+                self._events.append(
+                    (epoch, time, CUSHION, WALL - j, i, legs[i], i, legs[i], shared)
+                )
+            else:
+                self._events.append((epoch, time, PAIR, j, i, legs[i], j, legs[j], shared))
 
     def clear(self) -> None:
         """Forget what happened; the legs that balls are on stay."""
@@ -303,7 +311,7 @@ class Log(Sequence[Event]):
             closing -= _along(second[0], normal, rise)
         impulse = 0.0 if what in ("roll", "rest", "off") else self._masses[i] * _kick(*first)
         if shared is not None:
-            impulse, share, members = shared
+            impulse, share, members, _ = shared
             lost = share * sum(self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members)
         return Event(
             epoch + time, what, names, wall, (point.real, point.imag),

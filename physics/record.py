@@ -5,6 +5,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 from .ball import NAMES, Ball
+from .kernel.lasting import NEVER
 from .shot import Shot
 from .wall import Wall
 
@@ -117,5 +118,6 @@ def _ball(ball: Ball, paged: bool) -> Data:
         "since": body.since,
         **{name: _pair(getattr(body, name)) for name in COMPLEX},
         **{name: getattr(body, name) for name in REAL},
+        **({"hop": [body.hopped, body.hops, body.lent]} if body.hopped != NEVER else {}),
         "page": {name: _or_none(getattr(body, name)) for name in PAGE} if paged else None,
     }

@@ -18,7 +18,8 @@ from .checks import nonnegative, vector
 from .dual import Dual, kernel, slope, value
 from .engine import EventDriven
 from .kernel.calendar import CUSHION, PAIR, PHASE
-from .kernel.motion import AIRBORNE, RESTING, STILL
+from .kernel.impulses import WALL
+from .kernel.motion import AIRBORNE, RESTING
 from .log import Event
 from .shot import Shot, direction
 from .world import World, simulate
@@ -162,12 +163,12 @@ class _Replay:
         return body
 
     def _plan(self, body: Any) -> None:
-        slip = body.velocity - body.roll
-        if abs(value(slip)) <= STILL and slip != 0.0 and self.scene.cloth.slide > 0.0:
+        slip, cloth = body.velocity - body.roll, self.scene.cloth
+        if abs(value(slip)) <= cloth.still and slip != 0.0 and cloth.slide > 0.0:
             # it rolls, but would slip after another shot, for a moment that leaves 5/7 v + 2/7 w
             rolling = (5.0 * slope(body.velocity) + 2.0 * slope(body.roll)) / 7.0
             body.velocity = body.roll = Dual(value(body.velocity), rolling)
-        self.kernel.calendar.plan_leg(body, (), self.scene.cloth, self.scene.cushion_rule)
+        self.kernel.calendar.plan_leg(body, (), cloth, self.scene.cushion_rule)
 
     def events(self) -> Iterator[EventSlope]:
         """Go through them in their order; a cluster, which is many of them, once."""
@@ -175,11 +176,15 @@ class _Replay:
         for _, group in groupby(enumerate(log), _instant):
             blows = [event for _, event in group]
             _, (_, time, kind, other, i, _, _, _, shared) = blows[0]
-            pairs = [[raw[4], raw[3]] for _, raw in blows if kind == PAIR]
+            pairs = [[raw[4], raw[3]] if raw[2] == PAIR else [raw[4]] for _, raw in blows]
+            pairs = pairs if shared or kind == PAIR else []
             involved = [m for m, _ in shared[2]] if shared else pairs[0] if pairs else [i]
             moment = self._moment(time, kind, i, other)
             before = self._carry(involved, moment)
-            self._collide(kind, i, other, pairs)
+            if shared and shared[3]:
+                self._press_apart(shared[3])
+            else:
+                self._collide(kind, i, other, pairs)
             for m in involved:
                 self._plan(self.balls[m])
             after = {m: _rows(self.balls[m]) for m in involved}
@@ -227,6 +232,19 @@ class _Replay:
             for tie, pair in zip(ties.contacts, pairs, strict=False):
                 tie.first, tie.second = pair
             self.kernel.cluster.collide(len(pairs), balls, scene.ball_rule, ties)
+
+    def _press_apart(self, asked: list[tuple[int, int, float]]) -> None:
+        """Contacts that last part as fast as they did: what they were asked is taken as given."""
+        package, walls = self.kernel, self.scene.walls
+        ties = package.body.ties(len(self.balls))
+        for c, (first, second, target) in enumerate(asked):
+            tie = ties.contacts[c]
+            tie.first, tie.second, tie.target, tie.total = first, second, target, 0.0
+            if second <= WALL:
+                tie.line = -walls[WALL - second].normal
+            ties.chosen[c] = c
+        scene = self.scene._replace(balls=self.balls, ties=ties)
+        package.lasting.press_apart(len(asked), scene)
 
     def rest(self) -> Array:
         """(balls, 2, 5): of the positions, once there are no more events."""

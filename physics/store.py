@@ -204,7 +204,7 @@ def _put_balls(world: World, spot: Spot) -> None:
     world.plan()
     world.clock.epoch, world.clock.now = epoch, now
     for mine, body in zip(world.balls, bodies, strict=True):
-        for name in ("since", *COMPLEX, *REAL, "phase"):
+        for name in ("since", *COMPLEX, *REAL, "phase", "hopped", "hops", "lent"):
             setattr(mine.body, name, getattr(body, name))
     going = [k for k, body in enumerate(bodies) if body.phase >= 0]
     world.log.rewind([0] * (1 + len(bodies)))
@@ -230,6 +230,9 @@ def _body(spot: Spot) -> Body:
         setattr(body, name, spot[name].complex())
     for name in REAL:
         setattr(body, name, spot[name].number())
+    if "hop" in spot.value:  # of a contact that lasts; since version 2 is out
+        hopped, hops, body.lent = (note.number() for note in spot["hop"].items())
+        body.hopped, body.hops = hopped, int(hops)
     if spot["page"].value is not None:
         for name in PAGE:
             note = spot["page"][name]

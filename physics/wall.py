@@ -7,6 +7,7 @@ from .kernel.body import Line
 from .kernel.motion import length
 
 UNIT = 1e-9  # how far the length of a normal may be from 1
+ROUNDING = 4e-16  # and of one that is a unit as far as it can be
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +24,12 @@ class Wall:
 
     def __post_init__(self) -> None:
         keep(self, finite, "offset")
-        object.__setattr__(self, "normal", _unit(self.normal))
+        normal = _unit(self.normal)
+        size = length(normal)
+        if abs(size - 1.0) > ROUNDING:  # the same line, of which the normal is a unit
+            normal, offset = normal / size, self.offset / size
+            object.__setattr__(self, "offset", offset)
+        object.__setattr__(self, "normal", normal)
 
     @classmethod
     def line(cls, a: float, b: float, d: float, name: str | None = None) -> "Wall":

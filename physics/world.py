@@ -1,5 +1,6 @@
 """The world: balls, walls and laws on one cloth, and the moment they are at."""
 
+from dataclasses import replace
 from math import inf
 from typing import TypeVar
 
@@ -9,7 +10,8 @@ from .checks import finite, nonnegative
 from .cloth import Cloth
 from .engine import Engine, EventDriven
 from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_grid
-from .kernel.motion import OFF, RESTING, carry, length
+from .kernel.lasting import forget
+from .kernel.motion import OFF, RESTING, STILL, carry, length
 from .log import Log
 from .places import check_places
 from .shot import Shot
@@ -91,8 +93,11 @@ class World:
         self.scene.balls.append(body)
         self.log.register(ball.name, ball.mass)
         table = [inf] * (n * n) if n <= FEW else []
+        still = STILL * ball.radius
+        if n == 1 or still < self._clock.cloth.still:
+            self._clock.cloth = replace(self._clock.cloth, still=still)
         self.scene = self.scene._replace(
-            meetings=table, ties=no_ties(n), celled=False, grid=no_grid(n)
+            cloth=self._clock.cloth, meetings=table, ties=no_ties(n), celled=False, grid=no_grid(n)
         )
 
     @property
@@ -123,7 +128,7 @@ class World:
         self._refuse_laws("cloth")
         self._cloth = _cloth(cloth)
         self._disturb()
-        self._clock.cloth = cloth.felt()
+        self._clock.cloth = replace(cloth.felt(), still=self._clock.cloth.still)
         self.scene = self.scene._replace(cloth=self._clock.cloth)
 
     @property
@@ -348,6 +353,7 @@ class World:
         for body in self.scene.balls:
             carry(body, clock.now, clock.cloth)
             body.since = 0.0
+            forget(body)
         clock.epoch, clock.now = clock.epoch + clock.now, 0.0
 
     def _lay_grid(self) -> None:

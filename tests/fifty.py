@@ -31,7 +31,7 @@ def kernel() -> ModuleType:
     package: Any = load("physics.fifty_digit_kernel", subset)
     package.contact.NEAR = mpmath.mpf("1e-26")  # the gap left behind is its square
     package.contact.ROUNDS = 200
-    package.cluster.AGREES = mpmath.mpf("1e-45")
+    package.impulses.AGREES = mpmath.mpf("1e-45")
     return package
 
 

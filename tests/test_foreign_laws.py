@@ -40,7 +40,8 @@ def everything(world):
     """All that a world knows, as one text: no bit may change unseen."""
     bodies = [ball.body for ball in world.balls]
     clock = world.clock.epoch, world.clock.now, world.clock.disturbed, world.clock.moved
-    return repr((bodies, world.scene, clock, world.due, list(world.log), world.log.mark()))
+    scene = world.scene._replace(ties=None, grid=None)  # of which a run makes notes
+    return repr((bodies, scene, clock, world.due, list(world.log), world.log.mark()))
 
 
 def test_the_example_of_the_documentation_works():

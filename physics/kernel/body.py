@@ -6,7 +6,7 @@ from math import inf, sqrt
 from operator import attrgetter
 from typing import Any, NamedTuple
 
-CONTACTS = 3  # a ball, in a cluster: more, discs on a table cannot have
+CONTACTS = 5  # a ball, in a cluster: three with balls, more discs cannot have, and two walls
 
 
 @dataclass(slots=True, eq=False)
@@ -38,6 +38,10 @@ class Body:
     partner: int = -1
     next: float = inf
     trapped: int = 0  # how many cushions it has hit in one instant
+    # contacts that last, see kernel/lasting.py
+    hopped: float = -1.0  # when it last met something, slowly; below 0: quickly
+    hops: int = 0  # so many from contacts that last, in a row
+    lent: float = 0.0  # the most that a contact was given to part with, m/s
 
 
 _values = attrgetter(*Body.__slots__)
@@ -68,6 +72,7 @@ class Felt:
     gravity: float = 0.0
     bounce: float = 0.0
     grip: float = 0.0
+    still: float = 1e-12  # m/s: what is slower does not move, see motion.STILL
 
 
 @dataclass(slots=True, eq=False)
@@ -88,12 +93,31 @@ class Tie:
     """One contact of a cluster."""
 
     first: int = 0  # the ball it is between
-    second: int = 0  # and the other
+    second: int = 0  # and the other, or -1 less the number of a wall
     target: float = 0.0  # the speed at which it closes, then at which it shall part
     grip: float = 0.0  # the coefficient of friction
-    push: float = 0.0  # in this round
-    rub: complex = 0j
     total: float = 0.0  # of all pushes
+    # while it is solved together with others, see kernel/impulses.py
+    line: complex = 0j  # from the first ball to the second
+    size: float = 1.0  # impulses are counted in this, so that every contact yields by 1
+    bound: float = 0.0  # the most that friction holds
+    impulse: complex = 0j
+    more: complex = 0j  # what of it the balls have not felt yet
+    slope: complex = 0j
+    way: complex = 0j
+    answer: complex = 0j  # what an impulse along the way would change
+
+
+@dataclass(slots=True, eq=False)
+class Blow:
+    """What trial impulses would do to a ball."""
+
+    mass: float = 1.0
+    velocity: complex = 0j
+    roll: complex = 0j
+    side: float = 0.0
+    climb: float = 0.0
+    contacts: int = 0  # of this ball, among those solved together
 
 
 @dataclass(slots=True, eq=False)
@@ -110,6 +134,7 @@ class Seat:
     promise: int = 0  # what that was for its partner when their meeting was foreseen
 
 
+ROOMY = 2.11  # radii: a cell at least, so that all that may touch is in it or beside it
 _places = attrgetter(*Seat.__slots__)
 
 
@@ -119,6 +144,7 @@ class Ties(NamedTuple):
     member: Any  # which balls
     contacts: Any
     chosen: Any  # which contacts are solved together
+    blows: Any  # for each ball
 
 
 class Grid(NamedTuple):
@@ -152,12 +178,14 @@ class Scene(NamedTuple):
 def ties(balls: int) -> Ties:
     """Room for as many contacts as there may be."""
     pairs = CONTACTS * balls
-    return Ties([0] * balls, [Tie() for _ in range(pairs)], [0] * pairs)
+    return Ties(
+        [0] * balls, [Tie() for _ in range(pairs)], [0] * pairs, [Blow() for _ in range(balls)]
+    )
 
 
 def no_ties(balls: int) -> Ties:
     """Room for balls that need none as long as no three touch: interpreted, it grows."""
-    return Ties([0] * balls, [], [])
+    return Ties([0] * balls, [], [], [])
 
 
 def no_grid(balls: int) -> Grid:
@@ -170,7 +198,7 @@ def grid(spots: Sequence[complex], radius: float) -> Grid:
     n = len(spots)
     west, south = min(p.real for p in spots), min(p.imag for p in spots)
     length, width = max(p.real for p in spots) - west, max(p.imag for p in spots) - south
-    size = max(2.0 * radius + 1e-6, sqrt(length * width / n), length / n, width / n)
+    size = max(ROOMY * radius, sqrt(length * width / n), length / n, width / n)
     columns, lines = max(1, int(length / size)), max(1, int(width / size))
     leaves = 1
     while leaves < n:

@@ -1,17 +1,21 @@
 """From event to event."""
 
-from .cluster import TOUCHING, collide, crowded, crowded_near, gather
+from .cluster import TOUCHING, blows, collide, crowded, crowded_near, gather
 from .contact import first_fall, meeting
 from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave_table, plan_flight
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
+from .impulses import WALL
+from .lasting import NEVER, forget, lean, leans, leans_on, meets_slowly
 from .laws import hit_ball, hit_wall
 from .motion import AIRBORNE, OFF, RESTING, carry, length, motion, settle, swept
 from .subset import complex, inf, kernel, whole
 
 PHASE_ENDS = -1
+UNKNOWN = -1
 INSTANT = 1e-12  # s: a leg that short goes nowhere
-PATIENCE = 64  # how many of them between cushions make a trap
-PHASE, CUSHION, PAIR, CLUSTER, NOTHING = 0, 1, 2, 3, 4  # what an event is
+FACING = 1e-8  # of walls: the length of the sum of their normals when they face each other
+PATIENCE = 64  # how many of them at cushions make a trap
+PHASE, CUSHION, PAIR, CLUSTER, LASTING, NOTHING, UNSOLVED = 0, 1, 2, 3, 4, 5, 6  # an event is
 
 
 @kernel
@@ -141,6 +145,7 @@ def plan(scene):
     for i in range(n):
         ball = balls[i]
         ball.trapped = 0
+        forget(ball)
         if scene.celled:
             locate(i, ball, grid)
             start_leg(i, scene)
@@ -190,16 +195,13 @@ def happen(i, scene):
     kind, goal = PHASE, ball.goal
     if goal < 0:
         end(ball, goal, cloth, scene.cushion_rule.parting)
-    else:
+    elif ball.phase == AIRBORNE:
         kind = CUSHION
-        if ball.phase == AIRBORNE:
-            hit_nose(ball, scene.walls[goal], scene.cushion_rule)
-        else:
-            hit_wall(ball, scene.walls[goal], scene.cushion_rule)
-            if instant:
-                ball.trapped += 1
-            if ball.trapped > PATIENCE:
-                release(ball, scene.walls, scene.cushion_rule.parting)
+        hit_nose(ball, scene.walls[goal], scene.cushion_rule)
+    else:
+        kind, contacts = bounce(i, goal, instant, time, scene)
+        if kind != CUSHION:
+            return kind, contacts
     if scene.celled:
         start_leg(i, scene)
         plan_near(i, balls, scene.grid)
@@ -207,6 +209,28 @@ def happen(i, scene):
         plan_leg(ball, scene.walls, cloth, scene.cushion_rule)
         plan_table(i, balls, scene.meetings)
     return kind, goal
+
+
+@whole
+def bounce(i, goal, instant, time, scene):
+    """Ball i hits a cushion, or stays there."""
+    ball, wall, rule = scene.balls[i], scene.walls[goal], scene.cushion_rule
+    held = ball.trapped > PATIENCE
+    slowly = leans_on(ball, wall, scene.cloth)
+    if held or (slowly and ball.hopped != NEVER):
+        what, contacts = stay(i, WALL - goal, time, held, scene)
+        if what != NOTHING:
+            return what, contacts
+    if slowly:
+        meets_slowly(ball, time)
+    elif ball.hopped != NEVER:
+        forget(ball)
+    hit_wall(ball, wall, rule)
+    if instant:
+        ball.trapped += 1
+    if held:
+        release(ball, scene.walls, rule.parting)
+    return CUSHION, goal
 
 
 @kernel
@@ -229,10 +253,10 @@ def release(ball, walls, parting):
     out, inward = 0j, 1.0 + 0j
     for k in range(len(walls)):
         wall = walls[k]
-        if (wall.inward * ball.position).real - wall.offset - ball.radius < TOUCHING:
+        if (wall.inward * ball.position).real - wall.offset - ball.radius < TOUCHING * ball.radius:
             out, inward = out + wall.normal, wall.inward
     size = length(out)
-    faces = size < TOUCHING
+    faces = size < FACING
     out = 1j * inward.conjugate() if faces else 1.0 / size * out
     speed = (out.conjugate() * ball.velocity).real
     turning = (out.conjugate() * ball.roll).real
@@ -252,49 +276,82 @@ def meet(i, j, time, scene):
     carry(b, time, scene.cloth)
     if a.phase == AIRBORNE or b.phase == AIRBORNE:
         hit_aloft(a, b, scene.ball_rule)
-    elif crowded(i, j, time, balls) if not scene.celled else crowded_near(i, j, time, scene):
-        return crowd(i, j, time, scene)
+        go_on_two(i, j, scene)
+        return PAIR, j
+    slowly = leans(a, b, scene.cloth)
+    if slowly and a.hopped != NEVER and a.hopped == b.hopped:
+        what, contacts = stay(i, j, time, False, scene)
+        if what != NOTHING:
+            return what, contacts
+    if crowded(i, j, time, balls) if not scene.celled else crowded_near(i, j, time, scene):
+        return crowd(i, j, time, slowly, scene)
+    if slowly:
+        meets_slowly(a, time)
+        meets_slowly(b, time)
     else:
-        hit_ball(a, b, scene.ball_rule)
+        forget(a)
+        forget(b)
+    hit_ball(a, b, scene.ball_rule)
+    go_on_two(i, j, scene)
+    return PAIR, j
+
+
+@kernel
+def go_on_two(i, j, scene):
+    balls = scene.balls
     if scene.celled:
         start_leg(i, scene)
         start_leg(j, scene)
         plan_near(i, balls, scene.grid)
         plan_near(j, balls, scene.grid)
     else:
-        plan_leg(a, scene.walls, scene.cloth, scene.cushion_rule)
-        plan_leg(b, scene.walls, scene.cloth, scene.cushion_rule)
+        plan_leg(balls[i], scene.walls, scene.cloth, scene.cushion_rule)
+        plan_leg(balls[j], scene.walls, scene.cloth, scene.cushion_rule)
         plan_table(i, balls, scene.meetings)
         plan_table(j, balls, scene.meetings)
-    return PAIR, j
 
 
 @kernel
-def crowd(i, j, time, scene):
+def crowd(i, j, time, slowly, scene):
     """Many balls touch."""
     balls, ties = scene.balls, scene.ties
-    members, contacts = gather(i, j, time, scene)
-    collide(contacts, balls, scene.ball_rule, ties)
+    members, contacts = gather(i, j, time, TOUCHING, scene)
     for m in range(members):
-        start_leg(ties.member[m], scene)
+        carry(balls[ties.member[m]], time, scene.cloth)
+    if not collide(contacts, balls, scene.ball_rule, ties):
+        return UNSOLVED, contacts
     for m in range(members):
-        plan_meetings(ties.member[m], scene)
+        meets_slowly(balls[ties.member[m]], time if slowly else NEVER)
+    go_on(members, scene)
     return CLUSTER, contacts
 
 
 @kernel
-def blows(contacts, ties):
-    """How many events a cluster was: every contact that passed an impulse is one."""
-    count = 0
-    for c in range(contacts):
-        if ties.contacts[c].total > 0.0:
-            count += 1
-    return count
+def stay(i, j, time, held, scene):
+    """Ball i meets ball j or wall -1 - j slowly, or is held between walls and balls: NOTHING yet,
+    if they do not stay together."""
+    members, contacts = lean(i, j, time, held, scene)
+    if contacts <= 0:
+        return NOTHING if contacts == 0 else UNSOLVED, members
+    go_on(members, scene)
+    return LASTING, contacts
+
+
+@kernel
+def go_on(members, scene):
+    """All balls of a cluster have new legs."""
+    for m in range(members):
+        start_leg(scene.ties.member[m], scene)
+    for m in range(members):
+        plan_meetings(scene.ties.member[m], scene)
 
 
 @whole
 def advance(until, budget, scene):
-    """Everything that happens up to `until`: (how much it was, when the last of it was)."""
+    """Everything that happens up to `until`: (how much it was, when the last of it was).
+
+    UNKNOWN events, if impulses between balls that touch could not be found.
+    """
     balls = scene.balls
     events, last = 0, 0.0
     while events <= budget:
@@ -303,8 +360,12 @@ def advance(until, budget, scene):
         if time > until or time == inf:
             break
         kind, other = happen(i, scene)
-        if kind == CLUSTER:
-            events += blows(other, scene.ties)
+        if kind == UNSOLVED:
+            return UNKNOWN, time
+        if kind in (CLUSTER, LASTING):
+            happened = blows(other, scene.ties)
+            events += happened
+            budget -= happened == 0  # which must not go on for ever either
         elif kind != NOTHING:
             events += 1
         last = time

@@ -7,48 +7,45 @@ in line.
 
 from .body import CONTACTS
 from .grid import neighbours
-from .laws import (
-    FOREIGN_BALL,
-    SMOOTH_BALL,
-    THESIS_BALL,
-    friction,
-    grip,
-    hit_ball,
-    press,
-    rebound,
-    toward,
-)
-from .motion import AIRBORNE, carry, length, place
-from .subset import complex, kernel, room
+from .impulses import PUSH, RUB, WALL, ask, other, slip_between, solve
+from .laws import FOREIGN_BALL, SMOOTH_BALL, THESIS_BALL, grip, hit_ball, rebound, toward
+from .motion import AIRBORNE, length, place
+from .subset import kernel, room
 
-TOUCHING = 1e-8  # m: balls closer than this are in contact
-NOISE = 1e-11  # m/s: what closes more slowly within a cluster does so by rounding
+TOUCHING = 3e-7  # radii: balls closer than this are in contact; 1e-8 m on a carom table
+NOISE = 1e-11  # of the fastest: what closes more slowly within a cluster does so by rounding
 TIED = 1e-9  # closing speeds that agree to this are equal
-SWEEPS = 2000  # of the simultaneous solution: a tight rack needs a few dozen
-AGREES = 1e-15  # of the greatest speed: what a sweep may still change
-ROUNDS = 64  # a contact: then whatever still closes is left to the next event
+ROUNDS = 64  # a contact: then all that still close are solved together
 
 
 @kernel
-def touching(a, b, time):
-    """Is b, on its leg, in contact with a, which is at `time` already?  Boxes first: no root.
+def touching(p, reach, b, time):
+    """Does b, on its leg, come as near as `reach` to p at that time?  Boxes first: no root.
 
     Who comes from the air waits until the others are done.
     """
-    x, y, r = a.position.real, a.position.imag, a.radius + TOUCHING
-    if b.west > x + r or b.east < x - r or b.south > y + r or b.north < y - r:
+    x, y = p.real, p.imag
+    if b.west > x + reach or b.east < x - reach or b.south > y + reach or b.north < y - reach:
         return False
     if b.phase == AIRBORNE:
         return False
-    return length(place(b, time - b.since) - a.position) < r + b.radius
+    return length(place(b, time - b.since) - p) < reach + b.radius
+
+
+@kernel
+def reach(ball, margin):
+    """How far it reaches, and a margin in radii."""
+    return ball.radius * (1.0 + margin)
 
 
 @kernel
 def crowded(i, j, time, balls):
     """Does a third ball touch one of the two?"""
     a, b = balls[i], balls[j]
+    p, q = a.position, b.position
+    r, s = reach(a, TOUCHING), reach(b, TOUCHING)
     for k in range(len(balls)):
-        if k != i and k != j and (touching(a, balls[k], time) or touching(b, balls[k], time)):
+        if k != i and k != j and (touching(p, r, balls[k], time) or touching(q, s, balls[k], time)):
             return True
     return False
 
@@ -66,31 +63,37 @@ def third(a, i, j, time, balls, grid):
     """Does a ball other than j touch ball i, which is a?"""
     for m in range(neighbours(i, balls, grid)):
         k = grid.near[m]
-        if k != j and touching(a, balls[k], time):
+        if k != j and touching(a.position, reach(a, TOUCHING), balls[k], time):
             return True
     return False
 
 
 @kernel
-def gather(i, j, time, scene):
-    """All that hangs together with balls i and j: how many balls, in ties.member, and contacts."""
+def gather(i, j, time, margin, scene):
+    """All that hangs together with ball i and ball j (or a wall) by gaps below `margin`: how many
+    balls, in ties.member, and contacts.    """
     balls, ties, grid = scene.balls, scene.ties, scene.grid
     member = ties.member
-    member[0], member[1] = i, j
+    member[0] = i
     room(ties, 1)
     join(i, j, ties.contacts[0])
-    members, contacts, m = 2, 1, 0
+    members, contacts, m = 1, 1, 0
+    if j > WALL:
+        member[1] = j
+        members = 2
     while m < members:
         a = member[m]
+        here, far = place(balls[a], time - balls[a].since), reach(balls[a], margin)
         for near in range(neighbours(a, balls, grid)):
             k = grid.near[near]
-            if (m < 2 and k == member[1 - m]) or not touching(balls[a], balls[k], time):
+            if (a == i and k == j) or (a == j and k == i):
+                continue
+            if not touching(here, far, balls[k], time):
                 continue
             at = 0
             while at < members and member[at] != k:
                 at += 1
             if at == members:
-                carry(balls[k], time, scene.cloth)
                 member[members] = k
                 members += 1
             if at > m and contacts < CONTACTS * len(balls):  # balls of nanometres may touch more
@@ -112,8 +115,8 @@ def closing_speed(a, b):
 
 
 @kernel
-def choose(contacts, balls, ties):
-    """Put the contacts that close fastest into ties.chosen; returns how many."""
+def choose(contacts, balls, ties, fastest_only):
+    """Put the contacts that close (or of them the fastest) into ties.chosen; returns how many."""
     fastest = 0.0
     for c in range(contacts):
         tie = ties.contacts[c]
@@ -123,7 +126,7 @@ def choose(contacts, balls, ties):
     chosen = 0
     for c in range(contacts):
         target = ties.contacts[c].target
-        if target > 0.0 and target >= (1.0 - TIED) * fastest:
+        if target > 0.0 and (target >= (1.0 - TIED) * fastest or not fastest_only):
             ties.chosen[chosen] = c
             chosen += 1
     return chosen
@@ -131,89 +134,74 @@ def choose(contacts, balls, ties):
 
 @kernel
 def collide(contacts, balls, rule, ties):
-    """Blow after blow until no contact closes; the pushes add up in ties.total."""
+    """Blow after blow until no contact closes; the pushes add up in ties.total.
+
+    False if impulses that make all contacts part could not be found.
+    """
     tie = ties.contacts[0]
     a, b = balls[tie.first], balls[tie.second]
-    if closing_speed(a, b) < NOISE:  # it grazed, or something drives it
+    noise = NOISE * pace(contacts, balls, ties)
+    if closing_speed(a, b) < noise:  # it grazed, or something drives it
         tie.total = hit_ball(a, b, rule)
-    for _ in range(ROUNDS * contacts):
-        chosen = choose(contacts, balls, ties)
+    for turn in range(ROUNDS * contacts + 1):
+        chosen = choose(contacts, balls, ties, turn < ROUNDS * contacts)
         if chosen == 0:
-            return
-        alone = chosen == 1 and ties.contacts[ties.chosen[0]].target >= NOISE
+            return True
+        alone = chosen == 1 and ties.contacts[ties.chosen[0]].target >= noise
         if alone or rule.kind == THESIS_BALL or rule.kind == FOREIGN_BALL:
             for k in range(chosen):
                 tie = ties.contacts[ties.chosen[k]]
                 tie.total += hit_ball(balls[tie.first], balls[tie.second], rule)
-        else:
-            together(chosen, balls, rule, ties)
+        elif not together(chosen, balls, rule, ties, noise):
+            return False
+    return True
 
 
 @kernel
-def together(chosen, balls, rule, ties):
-    """Impulses that make every chosen contact part as its law wants, none of them a pull."""
+def blows(contacts, ties):
+    """How many events a cluster was: every contact that passed an impulse is one."""
+    count = 0
+    for c in range(contacts):
+        if ties.contacts[c].total > 0.0:
+            count += 1
+    return count
+
+
+@kernel
+def pace(contacts, balls, ties):
+    """The speed of the fastest ball."""
     fastest = 0.0
+    for c in range(contacts):
+        tie = ties.contacts[c]
+        a, b = balls[tie.first], balls[other(tie)]
+        fastest = max(fastest, length(a.velocity), length(b.velocity))
+    return fastest
+
+
+@kernel
+def together(chosen, balls, rule, ties, noise):
+    """Impulses that make every chosen contact part as its law wants, none of them a pull.
+
+    The rubs come when the pushes stand, so they only take energy: pushes that answered to rubs
+    would make it.
+    """
     for k in range(chosen):
         tie = ties.contacts[ties.chosen[k]]
         a, b = balls[tie.first], balls[tie.second]
         closing = tie.target
-        fastest = max(fastest, length(a.velocity), length(b.velocity))
-        # what closes by rounding alone, as in a chain that passed a blow on, is not thrown apart
-        tie.target = rebound(closing, rule) - closing if closing >= NOISE else 2.0 * closing
+        # what closes by rounding alone, as in a chain that passed a blow on, is not thrown apart,
+        # and what shall not part at all parts by more than rounding could take
+        apart = rebound(closing, rule) - closing if closing >= noise else closing
+        tie.target = max(apart, 1e-3 * noise)
         tie.grip = grip(slip_between(a, b, toward(a, b)), rule)
-        tie.push, tie.rub = 0.0, 0j
-    for _ in range(SWEEPS):
-        change = 0.0
-        for k in range(chosen):
-            change = max(change, relax_push(ties.contacts[ties.chosen[k]], balls))
-        if change <= AGREES * fastest:
-            break
-    if rule.kind != SMOOTH_BALL:
-        for _ in range(SWEEPS):
-            change = 0.0
-            for k in range(chosen):
-                change = max(change, relax_rub(ties.contacts[ties.chosen[k]], balls))
-            if change <= AGREES * fastest:
-                break
+        ask(PUSH, tie, balls)
+    found = solve(PUSH, chosen, balls, ties)
     for k in range(chosen):
         tie = ties.contacts[ties.chosen[k]]
-        tie.total += tie.push
-
-
-@kernel
-def slip_between(a, b, line):
-    turn = line.conjugate()
-    return complex(
-        (turn * (a.velocity - b.velocity)).imag + a.side + b.side, -(turn * (a.roll + b.roll)).real
-    )
-
-
-@kernel
-def relax_push(tie, balls):
-    """Make one contact part as it should, given what the others did; returns by how much, m/s."""
-    a, b = balls[tie.first], balls[tie.second]
-    line = toward(a, b)
-    mass = a.mass * b.mass / (a.mass + b.mass)
-    closing = (line.conjugate() * (a.velocity - b.velocity)).real
-    push = max(0.0, tie.push + mass * (closing + tie.target))
-    more = push - tie.push
-    press(a, b, line, more, 0j)
-    tie.push = push
-    return abs(more) / mass
-
-
-@kernel
-def relax_rub(tie, balls):
-    """Take as much slip from one contact as its push allows; returns by how much, m/s.
-
-    The pushes stand by now, so rubs only take energy: pushes that answer to rubs would make it.
-    """
-    a, b = balls[tie.first], balls[tie.second]
-    line = toward(a, b)
-    yielding = 3.5 * (a.mass + b.mass) / (a.mass * b.mass)
-    wish = slip_between(a, b, line) - yielding * tie.rub
-    rub = friction(wish, tie.grip * tie.push, yielding)
-    change = rub - tie.rub
-    press(a, b, line, 0.0, change)
-    tie.rub = rub
-    return length(change) * yielding
+        push = tie.size * tie.impulse.real
+        tie.total += push
+        ask(RUB, tie, balls)
+        tie.bound = tie.grip * push / tie.size
+    if found and rule.kind != SMOOTH_BALL:
+        found = solve(RUB, chosen, balls, ties)
+    return found

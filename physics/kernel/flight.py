@@ -7,7 +7,7 @@ has left the table. Balls of different radii are compared there too, as discs ar
 """
 
 from .contact import contact_time, first_fall
-from .laws import SMOOTH_BALL, THESIS_BALL, ball_law, friction, rebound
+from .laws import SMOOTH_BALL, THESIS_BALL, ball_law, friction, rebound, reduced
 from .motion import AIRBORNE, OFF
 from .subset import complex, inf, kernel, sqrt
 
@@ -118,7 +118,7 @@ def hit_aloft(a, b, rule):
     along, up = skin(a.roll + b.roll, a.side + b.side, line, rise)
     along, up = v - closing * line + along, climb - closing * rise + up
     slip = sqrt(along.real * along.real + along.imag * along.imag + up * up)
-    push, rub = pair(complex(closing, slip), a.mass * b.mass / (a.mass + b.mass), rule)
+    push, rub = pair(complex(closing, slip), reduced(a, b), rule)
     if slip > 0.0:
         along, up = rub / slip * along, rub / slip * up
     shove(a, push, line, rise, along, up)

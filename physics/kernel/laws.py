@@ -32,8 +32,14 @@ def friction(slip, most, yielding):
 @kernel
 def rigid_cushion(v, roll, side, rule):
     """A push through the centre of the ball, and friction in the plane across it."""
+    push = rebound(-rule.level * v.real, rule)
+    return nose(v, roll, side, push, rule)
+
+
+@kernel
+def nose(v, roll, side, push, rule):
+    """What a push of the nose does, m/s, and the friction that it allows."""
     height, level = rule.height, rule.level
-    push = rebound(-level * v.real, rule)
     slip = complex(v.imag + height * roll.imag - level * side, height * v.real + roll.real)
     rub = friction(slip, rule.friction * push, 3.5)
     v += complex(level * push + height * rub.imag, rub.real)
@@ -102,6 +108,8 @@ def hit_wall(ball, wall, rule):
     """Turn the picture so that the wall's normal is the x axis, and back."""
     inward, normal = wall.inward, wall.normal
     v, roll, ball.side = cushion(inward * ball.velocity, inward * ball.roll, ball.side, rule)
+    if v.real < rule.parting:  # whatever the law, it does not go on into the wall
+        v = complex(rule.parting, v.imag)
     ball.velocity, ball.roll = normal * v, normal * roll
 
 
@@ -113,13 +121,19 @@ def toward(a, b):
 
 
 @kernel
+def reduced(a, b):
+    """The reduced mass."""
+    return a.mass * (b.mass / (a.mass + b.mass))
+
+
+@kernel
 def hit_ball(a, b, rule):
     """One law for the pair; returns the push between them."""
     line = toward(a, b)
     if rule.kind == THESIS_BALL:
         return swap(a, b, line, rule)
     turn = line.conjugate()
-    mass = a.mass * b.mass / (a.mass + b.mass)
+    mass = a.mass * (b.mass / (a.mass + b.mass))  # the product of two small masses may be none
     v, roll = turn * (a.velocity - b.velocity), turn * (a.roll + b.roll)
     push, rub = ball_law(v, roll, a.side + b.side, mass, rule)
     press(a, b, line, push, rub)

@@ -7,7 +7,7 @@ cloth is velocity - roll, and neither radius nor moment of inertia appears again
 from .subset import inf, kernel, sqrt
 
 RESTING, ROLLING, SLIDING, AIRBORNE, OFF = 0, 1, 2, 3, 4
-STILL = 1e-12  # m/s: what is slower does not move
+STILL = 3e-11  # radii/s: what is slower does not move; 1e-12 m/s on a carom table
 
 
 @kernel
@@ -20,11 +20,11 @@ def motion(velocity, roll, cloth):
     """What friction makes of a ball: (phase, acceleration, for how long)."""
     slip = velocity - roll
     speed = length(slip)
-    if speed > STILL:
+    if speed > cloth.still:
         # the slip dies 7/2 times as fast as the speed: 1 from the speed, 5/2 from the spin
         return SLIDING, -cloth.slide / speed * slip, lasting(speed, 3.5 * cloth.slide)
     speed = length(velocity)
-    if speed > STILL:
+    if speed > cloth.still:
         return ROLLING, -cloth.roll / speed * velocity, lasting(speed, cloth.roll)
     return RESTING, 0j, inf
 

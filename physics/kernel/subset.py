@@ -12,7 +12,7 @@ from math import inf as inf
 from math import sqrt as sqrt
 from typing import Any, TypeVar
 
-from .body import Tie
+from .body import Blow, Tie
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -35,6 +35,8 @@ def room(ties: Any, contacts: int) -> None:
     while len(ties.contacts) < contacts:
         ties.contacts.append(Tie())
         ties.chosen.append(0)
+    while len(ties.blows) < len(ties.member):
+        ties.blows.append(Blow())
 
 
 def foreign_cushion(v: complex, roll: complex, side: float, rule: Any) -> Any:

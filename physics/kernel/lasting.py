@@ -1,0 +1,350 @@
+"""Contacts that last: something presses things together, and they stay together.
+
+Legs are parabolas of one ball each, so a contact under pressure is a row of hops. How high they
+are is free: only their mean is physics. A contact that comes back soon, and slowly, lasts if what
+presses it would bring it back again from a hop lower than HOP. Then it parts just fast enough to hop that high, and all that hang
+together with it come down at the same time. The speed of a hop is lent: when it comes back with
+it, nothing rebounds.
+
+Nor does what is held: a light ball between a heavy one and a cushion hits both again and again in
+one instant, losing energy each time, until nothing closes any more.
+"""
+
+from .body import CONTACTS
+from .cluster import NOISE, TOUCHING, join, pace, reach, touching
+from .grid import neighbours
+from .impulses import PUSH, RUB, WALL, ask, dot, other, parting, slip_between, solve
+from .laws import FOREIGN_BALL, SMOOTH_BALL, THESIS_BALL, ball_law, grip, nose, reduced, toward
+from .motion import AIRBORNE, OFF, carry, length, motion, place
+from .subset import complex, inf, kernel, room, sqrt
+
+HOP = 2e-3  # radii: how far things part that stay together
+PATIENT = 100  # hops of that height; then higher ones: no player's ball spins for so long
+GROWTH = 0.04  # of the length of a hop, each time
+LONGEST = 12.0  # times the length of the first
+SLOW = 4.4 * HOP  # times slide and radius: m²/s², of the highest hop and a little more, as sliding
+# presses two balls together with twice its own deceleration
+SPREAD = 2.0  # hops: gaps below that belong to the same contact
+FAR = 0.1  # radii: no gap above that does (cells are laid for it)
+NEVER = -1.0  # when a ball met something slowly, if the last that it met it met quickly
+
+
+@kernel
+def leans(a, b, cloth):
+    """Do two balls, which have just met, close so slowly that the cloth could keep them there?"""
+    line = b.position - a.position
+    closing = dot(line, a.velocity - b.velocity)
+    square = dot(line, line)
+    if closing * closing <= SLOW * cloth.slide * min(a.radius, b.radius) * square:
+        return True
+    lent = 2.0 * min(a.lent, b.lent)
+    return closing * closing <= lent * lent * square
+
+
+@kernel
+def leans_on(ball, wall, cloth):
+    """The same for a ball and a cushion."""
+    closing = -(wall.inward * ball.velocity).real
+    return closing * closing <= SLOW * cloth.slide * ball.radius or closing <= 2.0 * ball.lent
+
+
+@kernel
+def meets_slowly(ball, time):
+    """If it soon meets this again, they stay together."""
+    ball.hopped, ball.hops, ball.lent = time, 0, 0.0
+
+
+@kernel
+def forget(ball):
+    """What it met does not count any more."""
+    ball.hopped, ball.hops, ball.lent = NEVER, 0, 0.0
+
+
+@kernel
+def gather_slow(i, j, time, held, scene):
+    """All that hangs together with ball i and ball j, or wall -1 - j, by small gaps that hardly
+    change, or if it is held, by none: how many balls, in ties.member, and contacts."""
+    balls, ties, walls, grid = scene.balls, scene.ties, scene.walls, scene.grid
+    near = TOUCHING if held else min(SPREAD * HOP * stretch(balls[i]) ** 2, FAR)
+    member = ties.member
+    member[0] = i
+    room(ties, 1)
+    join(i, j, ties.contacts[0])
+    members, contacts, m = 1, 1, 0
+    if j > WALL:
+        member[1] = j
+        members = 2
+    while m < members:
+        a = member[m]
+        for n in range(neighbours(a, balls, grid)):
+            k = grid.near[n]
+            at = 0
+            while at < members and member[at] != k:
+                at += 1
+            # a contact among members is found by the earlier of them; the first is there already
+            if (m == 0 and k == j) or at <= m or contacts == CONTACTS * len(balls):
+                continue
+            room(ties, contacts + 1)
+            join(a, k, ties.contacts[contacts])
+            if clings(ties.contacts[contacts], near, time, held, scene):
+                contacts += 1
+                if at == members:
+                    member[members] = k
+                    members += 1
+        for k in range(len(walls)):
+            if (m == 0 and j == WALL - k) or contacts == CONTACTS * len(balls):
+                continue
+            room(ties, contacts + 1)
+            join(a, WALL - k, ties.contacts[contacts])
+            if clings(ties.contacts[contacts], near, time, held, scene):
+                contacts += 1
+        m += 1
+    return members, contacts
+
+
+@kernel
+def clings(tie, near, time, held, scene):
+    """Is it a contact, or was one just now, that opens and closes no faster than hops do, or is
+    held?"""
+    balls = scene.balls
+    a, b = balls[tie.first], balls[other(tie)]
+    if b.phase == AIRBORNE or b.phase == OFF:
+        return False
+    if a.hopped == NEVER or b.hopped == NEVER:
+        near = min(near, TOUCHING)
+    if tie.second > WALL and not touching(place(a, time - a.since), reach(a, near), b, time):
+        return False
+    gap, radius = measure(tie, time, balls, scene.walls)
+    if gap > near * radius or held:
+        return gap <= near * radius
+    speed = dot(tie.line, heading(a, time))
+    if tie.second > WALL:
+        speed -= dot(tie.line, heading(b, time))
+    longest = stretch(a)
+    return speed * speed <= 4.0 * longest * longest * SLOW * scene.cloth.slide * radius
+
+
+@kernel
+def heading(ball, time):
+    """Its velocity then."""
+    return ball.velocity + (time - ball.since) * ball.acceleration
+
+
+@kernel
+def gap_to(p, ball, wall):
+    return (wall.inward * p).real - wall.offset - ball.radius
+
+
+@kernel
+def stretch(ball):
+    """How many times longer than at first the ball hops by now."""
+    return min(max(1.0, 1.0 + GROWTH * (ball.hops - PATIENT)), LONGEST)
+
+
+@kernel
+def press_of(tie, balls):
+    """What presses the contact, m/s²."""
+    acceleration = balls[tie.first].acceleration
+    if tie.second > WALL:
+        acceleration -= balls[tie.second].acceleration
+    return (tie.line.conjugate() * acceleration).real
+
+
+@kernel
+def measure(tie, time, balls, walls):
+    """Set the line of the contact; returns its gap and the smaller radius."""
+    a = balls[tie.first]
+    p = place(a, time - a.since)
+    if tie.second <= WALL:
+        wall = walls[WALL - tie.second]
+        tie.line = -wall.normal
+        return gap_to(p, a, wall), a.radius
+    b = balls[tie.second]
+    q = place(b, time - b.since) - p
+    far = length(q)
+    tie.line = 1.0 / far * q
+    return far - a.radius - b.radius, min(a.radius, b.radius)
+
+
+@kernel
+def pressure(contacts, time, scene):
+    """What presses the contact that is pressed most, m/s², and how long they all hop: as long as
+    that one, or until what presses ends, so that no hop is under way when nothing brings it back.
+    """
+    balls, ties, cloth = scene.balls, scene.ties, scene.cloth
+    most, shortest = 0.0, inf
+    for c in range(contacts):
+        tie = ties.contacts[c]
+        _, radius = measure(tie, time, balls, scene.walls)
+        press = press_of(tie, balls)
+        if press > 0.0:
+            most = max(most, press)
+            longer = stretch(balls[tie.first])
+            shortest = min(shortest, longer * sqrt(8.0 * HOP * radius / press))
+            shortest = min(shortest, pressing(balls[tie.first], time, tie.line, cloth))
+            if tie.second > WALL:
+                shortest = min(shortest, pressing(balls[tie.second], time, -tie.line, cloth))
+    return most, shortest
+
+
+@kernel
+def pressing(ball, time, line, cloth):
+    """How long the cloth will still drive the ball in that direction; inf if it does not."""
+    if dot(line, ball.acceleration) <= 0.0:
+        return inf
+    _, _, lasting = motion(ball.velocity, ball.roll, cloth)
+    return lasting - (time - ball.since)
+
+
+@kernel
+def lent_to(tie, balls):
+    """What the contact was lent for the hop from which it comes, or 0, m/s."""
+    a, b = balls[tie.first], balls[other(tie)]
+    return min(a.lent, b.lent) if a.hopped == b.hopped and a.hopped != NEVER else 0.0
+
+
+@kernel
+def stays(contacts, most, scene):
+    """Does the first contact come back with what it was lent, or would it soon, if it rebounded?"""
+    tie = scene.ties.contacts[0]
+    rule = scene.ball_rule if tie.second > WALL else scene.cushion_rule
+    lent, closing = lent_to(tie, scene.balls), -parting(tie, scene.balls)
+    if lent > 0.0 and closing <= 2.0 * lent:
+        return True
+    lift = 2.0 * most * HOP * scene.balls[tie.first].radius  # the square of the speed of a hop
+    apart = rule.restitution * closing
+    fits = apart * apart <= lift and closing * closing <= 4.0 * lift
+    return fits and rule.parting * rule.parting <= lift
+
+
+@kernel
+def aim(tie, time, most, lasting, least, held, scene):
+    """Set how fast the contact has to part: so that it is closed again `lasting` seconds from now.
+
+    Returns the speed of its hop, m/s.
+    """
+    balls = scene.balls
+    gap, radius = measure(tie, time, balls, scene.walls)
+    rule = scene.ball_rule if tie.second > WALL else scene.cushion_rule
+    press, closing, lent = press_of(tie, balls), -parting(tie, balls), lent_to(tie, balls)
+    lift = 0.5 * press * lasting if press > 0.0 else 0.0
+    hop = sqrt(2.0 * most * HOP * radius) * stretch(balls[tie.first])
+    back = held or closing <= 2.0 * max(lent, hop)
+    if gap >= TOUCHING * radius:
+        together = back and 0.0 < lasting < inf
+        tie.target = lift - gap / lasting if together else -inf
+        return max(lift, lent)  # if it closes later, it still knows what it was lent
+    if closing <= 0.0 and press <= 0.0:
+        tie.target = 0.0
+    else:
+        rebound = 0.0 if back else rule.restitution * closing
+        tie.target = max(rebound, rule.parting, lift, least)
+    return lift
+
+
+@kernel
+def lean(i, j, time, held, scene):
+    """Ball i meets ball j, or wall -1 - j, slowly, or is held between balls and walls: (balls,
+    contacts) if they stay together.
+
+    No contacts if they do not, and -1 if impulses could not be found.
+    """
+    balls, ties = scene.balls, scene.ties
+    members, contacts = gather_slow(i, j, time, held, scene)
+    most, lasting = pressure(contacts, time, scene)
+    if held:
+        elastic = max(scene.ball_rule.restitution, scene.cushion_rule.restitution) >= 1.0
+        if members == 1 or elastic:
+            return members, 0
+    elif not stays(contacts, most, scene):
+        return members, 0
+    for m in range(members):
+        carry(balls[ties.member[m]], time, scene.cloth)
+    least = 1e-3 * NOISE * pace(contacts, balls, ties)
+    lent, chosen = 0.0, 0
+    for c in range(contacts):
+        tie = ties.contacts[c]
+        lent = max(lent, aim(tie, time, most, lasting, least, held, scene))
+        if tie.target > -inf:
+            ties.chosen[chosen] = c
+            chosen += 1
+    if not press_apart(chosen, scene):
+        return members, -1
+    for m in range(members):
+        ball = balls[ties.member[m]]
+        ball.hopped, ball.hops, ball.lent = time, ball.hops + 1, lent
+        if held:
+            ball.trapped = 0
+    return members, contacts
+
+
+@kernel
+def press_apart(chosen, scene):
+    """Impulses that make the chosen contacts part as they should: pushes, what friction makes of
+    them, and pushes once more against what that has closed."""
+    balls, ties = scene.balls, scene.ties
+    for k in range(chosen):
+        tie = ties.contacts[ties.chosen[k]]
+        tie.grip = 0.0
+        if tie.second > WALL:
+            a, b = balls[tie.first], balls[tie.second]
+            tie.grip = hold(a, b, toward(a, b), scene.ball_rule)
+    if not push_apart(chosen, balls, ties):
+        return False
+    rubbed = rub(chosen, balls, ties)
+    for k in range(chosen):
+        tie = ties.contacts[ties.chosen[k]]
+        if tie.second <= WALL and tie.total > 0.0:
+            brush(balls[tie.first], tie.total, scene.walls[WALL - tie.second], scene.cushion_rule)
+    return rubbed and push_apart(chosen, balls, ties)
+
+
+@kernel
+def push_apart(chosen, balls, ties):
+    """The pushes add up in tie.total."""
+    for k in range(chosen):
+        ask(PUSH, ties.contacts[ties.chosen[k]], balls)
+    found = solve(PUSH, chosen, balls, ties)
+    for k in range(chosen):
+        tie = ties.contacts[ties.chosen[k]]
+        tie.total += tie.size * tie.impulse.real
+    return found
+
+
+@kernel
+def rub(chosen, balls, ties):
+    """The rubs between balls, as their pushes hold them."""
+    rubs = 0
+    for k in range(chosen):
+        c = ties.chosen[k]
+        tie = ties.contacts[c]
+        if tie.grip * tie.total > 0.0:
+            ask(RUB, tie, balls)
+            tie.bound = tie.grip * tie.total / tie.size
+            ties.chosen[k], ties.chosen[rubs] = ties.chosen[rubs], c
+            rubs += 1
+    return solve(RUB, rubs, balls, ties)
+
+
+@kernel
+def hold(a, b, line, rule):
+    """The coefficient of friction that the law has for two balls as they are now."""
+    if rule.kind == SMOOTH_BALL or rule.kind == THESIS_BALL:
+        return 0.0
+    if rule.kind != FOREIGN_BALL:
+        return grip(slip_between(a, b, line), rule)
+    turn = line.conjugate()
+    v, roll = turn * (a.velocity - b.velocity), turn * (a.roll + b.roll)
+    v = complex(max(v.real, rule.parting), v.imag)
+    push, rub = ball_law(v, roll, a.side + b.side, reduced(a, b), rule)
+    return length(rub) / push if push > 0.0 else 0.0
+
+
+@kernel
+def brush(ball, push, wall, rule):
+    """The friction of a cushion that has pushed the ball: the rigid law's, whatever the law."""
+    v, roll = wall.inward * ball.velocity, wall.inward * ball.roll
+    push /= ball.mass * rule.level
+    v, roll, ball.side = nose(v, roll, ball.side, push, rule)
+    v -= rule.level * push  # which the ball has felt
+    ball.velocity, ball.roll = wall.normal * v, wall.normal * roll
