@@ -16,6 +16,7 @@ from .actions import Action
 from .aim import Aim
 from .clock import TICKS, seconds, shares
 from .history import History, moment
+from .match.stroke import stroke
 from .playhead import Playhead
 from .preview import NO_STORY, Preview, Story, forecast, preview
 
@@ -327,12 +328,12 @@ class Game:
 
     @property
     def counts(self) -> tuple[int, int]:
-        """How many balls the cue ball has met in this shot, and how often it has met a cushion."""
-        key = (self.stamp, len(self.world.log))
+        """How many balls and cushions the cue ball has met by the moment on show, as rules count."""
+        log, now = self.world.log, playhead.moment(self)
+        key = (self.stamp, self.began, len(log), self.head.at)
         if key != self._counts[0]:
-            own = [event for event in playhead.events(self) if self.shooter in event.balls]
-            met = {name for e in own if e.kind == "ball" for name in e.balls} - {self.shooter}
-            self._counts = key, (len(met), sum(e.kind == "cushion" for e in own))
+            done = stroke(log.contacts(), self.shooter).until(now)
+            self._counts = key, (len(done.hits()), done.cushions())
         return self._counts[1]
 
     @property
