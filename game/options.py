@@ -21,6 +21,13 @@ MATCH = frozenset({"players", "level", "handicap", "finish"})
 """Options that mean nothing without a match."""
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tga")
 """How the name of a picture ends: pygame writes these, and anything else as a TGA."""
+SIGNS = """\
+the five numbers:
+  V      speed of the cue ball, m/s
+  WxR    follow, - draw, m/s
+  WyR    masse: curves to the right, - to the left, m/s
+  WzR    right english (tip right of the centre, anticlockwise from above), - left, m/s
+  angle  degrees, anticlockwise: 0 to the right, 90 away from you"""
 SMALLEST = (640, 360)
 LARGEST = 16384
 
@@ -115,7 +122,7 @@ def _parser(
     parser = kind(
         prog="danggu",
         description="Billiards with exact physics: type V, three spins and an angle, and watch.",
-        epilog=FORMAT,
+        epilog=f"{SIGNS}\n\n{FORMAT}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
         argument_default=argparse.SUPPRESS,
     )

@@ -328,11 +328,10 @@ class Game:
 
     @property
     def counts(self) -> tuple[int, int]:
-        """How many balls and cushions the cue ball has met by the moment on show, as rules count."""
-        log, now = self.world.log, playhead.moment(self)
-        key = (self.stamp, self.began, len(log), self.head.at)
+        """How many balls and cushions the cue ball has met by the moment on show, as rules do."""
+        key = (self.stamp, self.began, len(self.world.log), self.head.at)
         if key != self._counts[0]:
-            done = stroke(log.contacts(), self.shooter).until(now)
+            done = stroke(self.world.log.contacts(), self.shooter).until(playhead.moment(self))
             self._counts = key, (len(done.hits()), done.cushions())
         return self._counts[1]
 

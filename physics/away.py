@@ -27,7 +27,7 @@ class Departures:
     def before(
         self, event: int, events: Sequence[Raw], legs: Sequence[Sequence[Raw]], walls: list[Wall]
     ) -> float:
-        """The gap before that event; since the first leg if it is their first touch, inf if none."""
+        """The gap before that event, for a first touch since the first leg; inf for no touch."""
         for raw in events[len(self._gaps) : event + 1]:
             self._gaps.append(self._gap(raw, legs, walls) if raw[KIND] == CUSHION else inf)
         return self._gaps[event]

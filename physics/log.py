@@ -84,11 +84,11 @@ class Event(NamedTuple):
     energy_lost: J, in a cluster of contacts their common loss shared by impulse. Events of one
     instant have the same time.
 
-    impulse: m |Δv| of the first ball, N s: push and rub together, but not what the cloth takes up of
-    them on a ball that stays down, which is all that is vertical. In a cluster it is the push.
-    push: the part of it along the contact's normal (at a cushion, along the level one), N s.
+    impulse: m |Δv| of the first ball, N s: push and rub together, less what is vertical, which the
+    cloth takes up while a ball stays on it. In a cluster it is the push.
+    push: the part of the impulse along the contact's normal (at a cushion, the level one), N s.
     away: at a cushion, the greatest gap between it and the ball since they last touched, or since
-    the log began, m; inf for other events.
+    the log began, m; inf for other events. (docs/physics.md, "What an event tells".)
     """
 
     time: float
