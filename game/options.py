@@ -14,9 +14,10 @@ from .text import LANGUAGES
 
 VIEW = frozenset(
     {"lang", "size", "fps", "frames", "script", "screenshot", "stats", "version"}
-    | {"settings", "record", "replay", "headless", "given"}
+    | {"settings", "record", "replay", "headless", "given", "edition"}
 )
-"""Options that leave no trace in what the balls do: a record leaves them out."""
+"""Options that leave no trace in what the balls do, or say it elsewhere: a record leaves them out
+of what it began with."""
 MATCH = frozenset({"players", "level", "handicap", "finish"})
 """Options that mean nothing without a match."""
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tga")
@@ -56,6 +57,8 @@ class Options:
     level: str | None = None
     handicap: str | None = None
     finish: str | None = None
+    edition: int = setup.EDITION
+    """Of the presets: that of the record which is played."""
     setup: str | None = None
     settings: str | None = None
     record: str | None = None

@@ -49,7 +49,7 @@ class Game:
         self, world: World, substeps: int = 6, seed: int = 0, table: str = "medium"
     ) -> None:
         self.substeps = substeps
-        self.engine, self.language = "exact", "en"
+        self.engine, self.language, self.edition = "exact", "en", setup.EDITION
         self.help = self.over = False
         self.sheet = ""
         """The page laid over the table: "settings" "menu" "shelf" "rules", or none."""
