@@ -79,7 +79,7 @@ def test_between_balls_the_push_is_the_law_s_and_the_impulse_has_the_level_rub_b
 
 
 def _relative(hit, line):
-    """What a ball law is told of a hit."""
+    """What a ball law is given for a hit."""
     turn = line.conjugate()
     a, b = hit.before
     roll = sum(R * complex(state.spin[1], -state.spin[0]) for state in hit.before)

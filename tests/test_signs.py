@@ -17,7 +17,18 @@ from game.render import gauges, light, turning
 from game.setup import table_world
 from game.text import words
 from game.ui import aimpanel
-from physics import Ball, CueStroke, Shot, World, simulate, sweep, tables
+from physics import (
+    Ball,
+    CueStroke,
+    Shot,
+    TimeStepping,
+    World,
+    laws,
+    scenes,
+    simulate,
+    sweep,
+    tables,
+)
 from physics.__main__ import main
 from physics.shot import direction
 
@@ -55,6 +66,26 @@ def test_positive_side_is_right_english(sign):
     shot = Shot(2.0, AWAY, follow=2.0, side=sign)
     assert sign * played(shot, 1e-3).ball("white").spin[2] > 0.0
     assert sign * off_the_far_cushion(shot) > 0.1
+
+
+@pytest.mark.parametrize("engine", [TimeStepping(1e-3), TimeStepping(1e-3, "euler")])
+@pytest.mark.parametrize("law", ["rigid", "thesis", "mathavan", laws.CappedCushion()])
+def test_every_cushion_and_engine_sends_right_english_to_the_right(law, engine):
+    for sign in (1.0, -1.0):
+        world = table(white=(0.0, 0.0))
+        world.cushion_law, world.engine = law, engine
+        world.strike("white", Shot(2.0, AWAY, follow=2.0, side=sign))
+        world.run(0.6)
+        assert sign * world.ball("white").velocity[0] > 0.1
+
+
+def test_the_thesis_s_program_knows_right_english_and_no_left():
+    for side, right in ((1.0, True), (-1.0, False)):
+        world = table(white=(0.0, 0.0))
+        world.engine = TimeStepping(1 / 180, "literal")
+        world.strike("white", Shot(2.0, AWAY, follow=2.0, side=side))
+        world.run(0.6)
+        assert (world.ball("white").velocity[0] > 0.1) == right
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
@@ -274,8 +305,6 @@ def test_help_of_the_command_line_says_which_way_every_number_goes(capsys):
 def test_a_sweep_s_side_is_the_shot_s(capsys):
     assert main(["sweep", "carom", "--speed", "2", "--side", "1", "--csv", "-"]) == 0
     row = capsys.readouterr().out.splitlines()[1]
-    from physics import scenes
-
     world = scenes.carom()
     x, y = simulate(world, "white", Shot(2.0, side=1.0)).ball("white").position
     assert f"{x!r},{y!r}" in row
