@@ -9,7 +9,8 @@ white = world.add(Ball("white", at=(-0.6, 0.0)))  # one line a ball
 red = world.add(Ball("red", at=(0.6, 0.01)))
 world.add(Wall.through((0.9, -0.635), (1.27, -0.3)))  # one line a wall; balls on its left
 
-# a shot: speed in m/s, angle in degrees, and three spins as surface speeds in m/s
+# a shot: speed in m/s, angle in degrees, and three spins as surface speeds in m/s: + is follow, a
+# curve to the right, right english (anticlockwise from above)
 world.strike(white, Shot(speed=3.0, angle=1.0, follow=1.5, masse=0.0, side=0.5))
 for _ in range(60):
     for _ in range(6):  # n calls a frame: any n, the same outcome, bit for bit

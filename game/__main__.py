@@ -117,7 +117,7 @@ def new_game(options: Options) -> Game:
 
     world = setup.scene_world(options.scene) if options.scene else setup.table_world(options.table)
     game = Game(world, options.substeps, options.seed, options.scene or options.table)
-    game.language = options.lang
+    game.language, game.edition = options.lang, options.edition
     if options.law:
         choices.law(game, options.law)
     if options.cloth != "table":

@@ -38,7 +38,7 @@ def engine(game: Game, key: str = "") -> None:
 def law(game: Game, key: str = "") -> None:
     """Continue with another law set; the set a table came with returns with its own numbers."""
     key = key or _after([*setup.LAWS], game.law)
-    kinds = setup.LAWS[key]
+    kinds = setup.law_set(key, game.edition)
     ball, cushion = kinds.ball(), kinds.cushion()
     own = game.came_with
     if isinstance(cushion, laws.MathavanCushion):  # the nose belongs to the table, not to the law
@@ -53,7 +53,7 @@ def law(game: Game, key: str = "") -> None:
 def cloth(game: Game, key: str = "") -> None:
     """Continue on another cloth, or on the one that the table came with ("table")."""
     key = key or _after([*setup.CLOTHS], game.cloth)
-    game.world.cloth = setup.CLOTHS[key] or game.came_with.cloth
+    game.world.cloth = setup.cloth(key, game.edition) or game.came_with.cloth
     game.cloth = key
     game.stamp += 1
 

@@ -14,13 +14,21 @@ from .text import LANGUAGES
 
 VIEW = frozenset(
     {"lang", "size", "fps", "frames", "script", "screenshot", "stats", "version"}
-    | {"settings", "record", "replay", "headless", "given"}
+    | {"settings", "record", "replay", "headless", "given", "edition"}
 )
-"""Options that leave no trace in what the balls do: a record leaves them out."""
+"""Options that leave no trace in what the balls do, or say it elsewhere: a record leaves them out
+of what it began with."""
 MATCH = frozenset({"players", "level", "handicap", "finish"})
 """Options that mean nothing without a match."""
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tga")
 """How the name of a picture ends: pygame writes these, and anything else as a TGA."""
+SIGNS = """\
+the five numbers:
+  V      speed of the cue ball, m/s
+  WxR    follow, - draw, m/s
+  WyR    masse: curves to the right, - to the left, m/s
+  WzR    right english (tip right of the centre, anticlockwise from above), - left, m/s
+  angle  degrees, anticlockwise: 0 to the right, 90 away from you"""
 SMALLEST = (640, 360)
 LARGEST = 16384
 
@@ -49,6 +57,8 @@ class Options:
     level: str | None = None
     handicap: str | None = None
     finish: str | None = None
+    edition: int = setup.EDITION
+    """Of the presets: that of the record which is played."""
     setup: str | None = None
     settings: str | None = None
     record: str | None = None
@@ -115,7 +125,7 @@ def _parser(
     parser = kind(
         prog="danggu",
         description="Billiards with exact physics: type V, three spins and an angle, and watch.",
-        epilog=FORMAT,
+        epilog=f"{SIGNS}\n\n{FORMAT}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
         argument_default=argparse.SUPPRESS,
     )

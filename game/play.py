@@ -16,6 +16,7 @@ from .actions import Action
 from .aim import Aim
 from .clock import TICKS, seconds, shares
 from .history import History, moment
+from .match.stroke import stroke
 from .playhead import Playhead
 from .preview import NO_STORY, Preview, Story, forecast, preview
 
@@ -48,7 +49,7 @@ class Game:
         self, world: World, substeps: int = 6, seed: int = 0, table: str = "medium"
     ) -> None:
         self.substeps = substeps
-        self.engine, self.language = "exact", "en"
+        self.engine, self.language, self.edition = "exact", "en", setup.EDITION
         self.help = self.over = False
         self.sheet = ""
         """The page laid over the table: "settings" "menu" "shelf" "rules", or none."""
@@ -327,12 +328,11 @@ class Game:
 
     @property
     def counts(self) -> tuple[int, int]:
-        """How many balls the cue ball has met in this shot, and how often it has met a cushion."""
-        key = (self.stamp, len(self.world.log))
+        """How many balls and cushions the cue ball has met by the moment on show, as rules do."""
+        key = (self.stamp, self.began, len(self.world.log), self.head.at)
         if key != self._counts[0]:
-            own = [event for event in playhead.events(self) if self.shooter in event.balls]
-            met = {name for e in own if e.kind == "ball" for name in e.balls} - {self.shooter}
-            self._counts = key, (len(met), sum(e.kind == "cushion" for e in own))
+            done = stroke(self.world.log.contacts(), self.shooter).until(playhead.moment(self))
+            self._counts = key, (len(done.hits()), done.cushions())
         return self._counts[1]
 
     @property

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from physics import Event
 
 from .clock import TICKS, seconds
+from .match.stroke import counts
 
 if TYPE_CHECKING:
     from .play import Game
@@ -125,7 +126,7 @@ def event(game: Game, way: int) -> None:
     if not reviewed(game):
         return
     at = now(game)
-    times = (e.time for e in events(game) if e.kind != "roll")
+    times = (e.time for e in notable(game))
     marks = sorted({max(0, ceil((time - game.began) * TICKS)) for time in times})
     if way < 0:
         put(game, max((mark for mark in marks if mark < at), default=0))
@@ -186,6 +187,11 @@ def events(game: Game) -> Sequence[Event]:
     told = game.head.told[1]
     told += log[len(told) :]
     return told
+
+
+def notable(game: Game) -> list[Event]:
+    """The events that a player heeds: no ball that begins to roll, no cushion that was not left."""
+    return [event for event in events(game) if event.kind != "roll" and counts(event)]
 
 
 def passed(game: Game) -> int:

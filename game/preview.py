@@ -9,6 +9,8 @@ from typing import NamedTuple
 
 from physics import EventBudgetError, Leg, Log, Shot, State, World, simulate
 
+from .match.stroke import counts
+
 Place = tuple[float, float]
 
 CHORD = 0.00025
@@ -161,7 +163,7 @@ def _legs(log: Log) -> Legs:
 
 
 def _story(log: Log, legs: Legs, since: float, now: float) -> Story:
-    events = [Mark(c.time - since, c.kind, c.balls, c.wall) for c in log.contacts()]
+    events = [Mark(c.time - since, c.kind, c.balls, c.wall) for c in log.contacts() if counts(c)]
     lanes = []
     for name in log.names:
         own = legs[name]

@@ -1,8 +1,9 @@
 """Records of a game: its actions with their ticks, and a digest of the balls after every shot.
 
-A record is a text file, one JSON value a line: a header that says how the game began; `{"tick",
-"do"}` for an action, its name and perhaps its value; `{"tick", "shot", "digest"}` for a shot that
-is over; `{"tick", "end"}` with a digest once the game was left. Ticks are those of `clock`.
+A record is a text file, one JSON value a line: a header that says how the game began, and with
+which edition of the presets (1 if it does not say so); `{"tick", "do"}` for an action, its name and
+perhaps its value; `{"tick", "shot", "digest"}` for a shot that is over; `{"tick", "end"}` with a
+digest once the game was left. Ticks are those of `clock`.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from __future__ import annotations
 import json
 import struct
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from hashlib import blake2b
 from platform import machine, python_version, system
 from typing import IO, Any
@@ -19,6 +20,7 @@ from .actions import Action
 from .clock import TICKS
 from .options import VIEW, Options, of_setup
 from .play import Game
+from .setup import EDITIONS
 
 FORMAT = "danggu record"
 VERSION = 1
@@ -104,7 +106,7 @@ class Recorder:
         self.witness = Witness(game, self._shot)
         begun = {k: v for k, v in asdict(options).items() if k not in VIEW}
         head = {"format": FORMAT, "version": VERSION, "with": built_with(), "ticks": TICKS}
-        self._write({**head, "setup": begun})
+        self._write({**head, "edition": game.edition, "setup": begun})
 
     def before(self, action: Action) -> None:
         """An action is about to be done."""
@@ -187,8 +189,11 @@ def _begun(head: Any, path: str, options: Options) -> Record:
     if head.get("version") != VERSION or head.get("ticks") != TICKS:
         said = f"version {head.get('version')!r}, this is version {VERSION}"
         raise RecordError(f"{path}: a record of another kind ({said})")
+    edition = head.get("edition", 1)
+    if edition not in EDITIONS:
+        raise RecordError(f"{path}: presets of edition {edition!r}, this has {EDITIONS}")
     try:
-        setup = of_setup(head["setup"], options)
+        setup = replace(of_setup(head["setup"], options), edition=edition)
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise RecordError(f"{path}, line 1: {error}") from None
     return Record(path, setup, str(head.get("with", "")))

@@ -51,6 +51,14 @@ CLOTHS: dict[str, Cloth | None] = {
     **{key: tables.CLOTHS[key] for key in ("new", "worn", "humid")},
 }
 """Conditions of the cloth; "table" is the one that a table comes with."""
+EDITIONS = (1, 2)
+"""Of `LAWS` and `CLOTHS`: a record is played with those of its time, and so comes out the same."""
+EDITION = EDITIONS[-1]
+FIRST_LAWS = {
+    "mathavan": LawSet("mathavan", laws.RoughBall, lambda: laws.MathavanCushion(slide=0.212)),
+}
+FIRST_CLOTHS = {"new": Cloth(slide=0.15, roll=0.005, spin_decay=5.0, gravity=9.81)}
+"""What was otherwise in edition 1."""
 SCENES = scenes.SCENES
 SIDES = ("west", "east", "south", "north")
 
@@ -91,6 +99,16 @@ def cue_ball(world: World) -> str:
     """Name of the ball that is shot: white, or cue, or the first one."""
     names = [ball.name for ball in world.balls]
     return next((name for name in ("white", "cue") if name in names), names[0])
+
+
+def law_set(key: str, edition: int = EDITION) -> LawSet:
+    """The laws of that key; KeyError if there are none."""
+    return FIRST_LAWS.get(key, LAWS[key]) if edition == 1 else LAWS[key]
+
+
+def cloth(key: str, edition: int = EDITION) -> Cloth | None:
+    """The cloth of that key, None for the table's own; KeyError if there is none."""
+    return FIRST_CLOTHS.get(key, CLOTHS[key]) if edition == 1 else CLOTHS[key]
 
 
 def law_of(world: World) -> str:

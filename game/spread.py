@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from physics import EventBudgetError, Log, Shot, World, simulate
 
+from .match.stroke import counts
 from .preview import Place, path
 from .tip import LEVER
 
@@ -45,7 +46,7 @@ def plan(log: Log, cue: str) -> list[tuple[str, str]]:
     """What the cue ball meets, one after the other: kind, and name of the ball or the wall."""
     met: list[tuple[str, str]] = []
     for contact in log.contacts():
-        if cue in contact.balls:
+        if cue in contact.balls and counts(contact):
             other = [name for name in contact.balls if name != cue]
             met.append((contact.kind, str(contact.wall) if not other else other[0]))
     return met
@@ -72,7 +73,7 @@ def sample(game: Game, shot: Shot, wanted: Sequence[tuple[str, str]], rng: Rando
 
 def _parting(after: World, cue: str, wanted: Sequence[tuple[str, str]]) -> float:
     """When the path meets something else than planned, or need not be followed any more."""
-    own = [contact for contact in after.log.contacts() if cue in contact.balls]
+    own = [met for met in after.log.contacts() if cue in met.balls and counts(met)]
     cushions, balls = 0, set()
     for contact, met, planned in zip(own, plan(after.log, cue), wanted, strict=False):
         cushions += met[0] == "cushion"

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 from . import laws
 from .ball import Ball
 from .cloth import Cloth
-from .engine import EventBudgetError, EventDriven
+from .engine import ContactError, EventBudgetError, EventDriven
 from .log import Contact, Event, Leg, Log, State
 from .shot import Shot
 from .trace import heights, trace
@@ -41,8 +41,8 @@ def __getattr__(name: str) -> Any:
 
 
 __all__ = [
-    "Ball", "Cloth", "Contact", "CueStroke", "EnergyGainWarning", "Event", "EventBudgetError",
-    "EventDriven", "Leg", "Log", "Outcomes", "Recovered", "Sensitivity", "Shot", "State",
+    "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning", "Event",
+    "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Recovered", "Sensitivity", "Shot", "State",
     "TimeStepping", "Wall", "World", "heights", "laws", "ledger", "recover", "scenes",
     "sensitivity", "simulate", "simulate_many", "store", "tables", "trace",
 ]  # fmt: skip

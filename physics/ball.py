@@ -52,7 +52,8 @@ class Clock:
 class Ball:
     """A ball on the table.
 
-    at and velocity are (x, y) in m and m/s, spin (wx, wy, wz) in rad/s, radius in m, mass in kg.
+    at and velocity are (x, y) in m and m/s, spin (wx, wy, wz) in rad/s, right-handed with z up (wz
+    above zero is anticlockwise from above), radius in m, mass in kg.
     position, velocity, spin, and for jumps height and climb can be read and assigned at any moment;
     the world takes it from there. ValueError, naming the ball and the value, for any not finite
     or not positive, and for what a ball that has left the table cannot take.

@@ -21,10 +21,11 @@ class CueStroke:
     """A stroke of the cue; `.shot(ball)` is what it does to a ball (docs/physics.md, "Cue").
 
     speed of the cue, m/s; angle it points to and elevation of its butt, degrees. side and height:
-    where the tip meets the ball, in radii from the centre seen from behind. Like `Shot.side`, side
-    is positive for anticlockwise spin, so for a tip to the right of the centre; height is positive
-    above. cue_mass in kg; restitution of the tip; end_ratio: ball's mass over the mass of the
-    cue's end that moves sideways, which makes the squirt; friction of the tip.
+    where the tip meets the ball, in radii from the centre seen from behind: side + to the right,
+    which is right english and, like `Shot.side`, anticlockwise spin; height + above, which is
+    follow. With elevation, side curves the path to its own side. cue_mass in kg; restitution of the
+    tip; end_ratio: ball's mass over the mass of the cue's end that moves sideways, which makes the
+    squirt; friction of the tip.
     ValueError for what is not finite or out of range, and for a miscue: a tip so far out that it
     slips.
     """

@@ -17,6 +17,8 @@ from .checks import finite, keep, nonnegative, positive
 from .kernel import laws as kernel
 from .kernel.body import Rule
 
+MEASURED_SLIDE = 0.212  # the friction of the measured cloth, for a law that is on none
+
 CushionState = tuple[complex, complex, float]
 
 
@@ -90,26 +92,27 @@ class RigidCushion(_CushionLaw):
 class MathavanCushion(_CushionLaw):
     """Mathavan, Jackson and Parkin (2010): friction at nose and cloth, all through the hit.
 
-    Restitution e, friction mu at the cushion and `slide` at the cloth, nose = h/R. ValueError also
-    for coefficients at which the ball would jam between nose and cloth.
+    Restitution e, friction mu at the cushion and `slide` at the cloth, nose = h/R. Without `slide`
+    it is the friction of the world's own cloth, and 0.212 where the law is tried by hand.
+    ValueError also for coefficients at which the ball would jam between nose and cloth.
     """
 
     e: float = 0.901
     mu: float = 0.222
-    slide: float = 0.212
+    slide: float | None = None
     nose: float = 1.203
 
     def __post_init__(self) -> None:
-        keep(self, _fraction, "e", "mu", "slide")
+        keep(self, _fraction, "e", "mu", *(["slide"] if self.slide is not None else []))
         keep(self, _height, "nose")
         rule = self.rule()
         pressed = max(0.0, rule.height + rule.level * self.mu)
-        if rule.level - abs(rule.height) * self.mu - self.slide * pressed <= 0.0:
+        if rule.level - abs(rule.height) * self.mu - rule.slide * pressed <= 0.0:
             raise ValueError(f"{self!r}: the ball would jam between nose and cloth")
 
     def rule(self) -> Rule:
         rule = _bent(kernel.MATHAVAN_CUSHION, self.e, self.mu, self.nose)
-        rule.slide = self.slide
+        rule.slide = MEASURED_SLIDE if self.slide is None else self.slide
         return rule
 
 
@@ -285,6 +288,13 @@ def _law(
     ours = callable(law) or isinstance(law, ThesisBall)
     if not ours or isinstance(law, (type, *others)):
         raise ValueError(f"{what} must be a name, a law or a callable, not {law!r}")
+    return law
+
+
+def on_cloth(law: CushionLaw, slide: float) -> CushionLaw:
+    """The law on a cloth with that friction; ValueError if it cannot be on it."""
+    if isinstance(law, MathavanCushion) and law.slide is None:
+        return replace(law, slide=slide)
     return law
 
 

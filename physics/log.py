@@ -2,9 +2,10 @@
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from math import sqrt
+from math import inf, sqrt
 from typing import Any, NamedTuple, overload
 
+from .away import Departures
 from .checks import finite
 from .kernel.body import Body
 from .kernel.calendar import CUSHION, PAIR, PHASE
@@ -80,9 +81,15 @@ class Event(NamedTuple):
     time s; kind "roll", "rest", "cushion" or "ball", and for balls that fly "land" (on the cloth)
     and "off" (over a cushion, for good); balls: names; wall: name, or None; point: (x, y) of the
     contact (of the centre, where nothing touched), m; before and after: a State for each ball;
-    closing: speed along the contact's normal before, m/s (at a cushion, its level part); impulse:
-    N s; energy_lost: J, in a cluster of contacts their common loss shared by impulse. Events of one
+    closing: speed along the contact's normal before, m/s (at a cushion, its level part);
+    energy_lost: J, in a cluster of contacts their common loss shared by impulse. Events of one
     instant have the same time.
+
+    impulse: m |Δv| of the first ball, N s: push and rub together, less what is vertical, which the
+    cloth takes up while a ball stays on it. In a cluster it is the push.
+    push: the part of the impulse along the contact's normal (at a cushion, the level one), N s.
+    away: at a cushion, the greatest gap between it and the ball since they last touched, or since
+    the log began, m; inf for other events. (docs/physics.md, "What an event tells".)
     """
 
     time: float
@@ -95,6 +102,8 @@ class Event(NamedTuple):
     closing: float
     impulse: float
     energy_lost: float
+    push: float = 0.0
+    away: float = inf
 
 
 PHASE_AT = Leg._fields.index("phase")
@@ -107,6 +116,7 @@ class Contact(NamedTuple):
     kind: str
     balls: tuple[str, ...]
     wall: str | None
+    away: float = inf
 
 
 class Log(Sequence[Event]):
@@ -118,6 +128,7 @@ class Log(Sequence[Event]):
         self._walls: list[Wall] = []
         self._legs: list[list[tuple[Any, ...]]] = []
         self._events: list[tuple[Any, ...]] = []
+        self._departures = Departures()
 
     # -- written by the world and its engine ---------------------------------------------------
 
@@ -174,6 +185,7 @@ class Log(Sequence[Event]):
     def clear(self) -> None:
         """Forget what happened; the legs that balls are on stay."""
         self._events.clear()
+        self._departures.clear()
         for legs in self._legs:
             del legs[:-1]
 
@@ -185,6 +197,7 @@ class Log(Sequence[Event]):
         """Forget what came after the mark."""
         for entries, count in zip([self._events, *self._legs], mark, strict=True):
             del entries[count:]
+        self._departures.clear()
 
     def begun(self, event: int) -> tuple[tuple[int, int], ...]:
         """The legs that began with that event: (number of the ball, number of its leg)."""
@@ -225,19 +238,19 @@ class Log(Sequence[Event]):
     @overload
     def __getitem__(self, index: slice) -> list[Event]: ...
     def __getitem__(self, index: int | slice) -> Event | list[Event]:
-        if isinstance(index, slice):
-            return [self._event(*raw) for raw in self._events[index]]
-        return self._event(*self._events[index])
+        chosen = range(len(self))[index]
+        return self._event(chosen) if isinstance(chosen, int) else [*map(self._event, chosen)]
 
     def __iter__(self) -> Iterator[Event]:
-        return (self._event(*raw) for raw in self._events)
+        return map(self._event, range(len(self)))
 
     def contacts(self) -> Iterator[Contact]:
         """The hits, and balls that leave the table, in order; ten times as quick as the events."""
         names, walls = self.names, self._walls
-        for epoch, time, kind, other, i, leg, j, _, _ in self._events:
+        for k, (epoch, time, kind, other, i, leg, j, _, _) in enumerate(self._events):
             if kind == CUSHION:
-                yield Contact(epoch + time, "cushion", (names[i],), walls[other].name)
+                away = self._away(k)
+                yield Contact(epoch + time, "cushion", (names[i],), walls[other].name, away)
             elif kind == PAIR:
                 yield Contact(epoch + time, "ball", (names[i], names[j]), None)
             elif self._legs[i][leg][PHASE_AT] == OFF:
@@ -283,10 +296,12 @@ class Log(Sequence[Event]):
     def _lost(self, i: int, turn: tuple[Leg, Leg]) -> float:
         return turn[0].energy(self._masses[i]) - turn[1].energy(self._masses[i])
 
-    def _event(
-        self, epoch: float, time: float, kind: int, other: int,
-        i: int, leg_i: int, j: int, leg_j: int, shared: Any,
-    ) -> Event:  # fmt: skip
+    def _away(self, index: int) -> float:
+        """How far a ball has been from the cushion that it meets in that event."""
+        return self._departures.before(index, self._events, self._legs, self._walls)
+
+    def _event(self, index: int) -> Event:
+        epoch, time, kind, other, i, leg_i, j, leg_j, shared = self._events[index]
         first = self._turn(i, leg_i, epoch, time)
         lost = self._lost(i, first)
         names: tuple[str, ...] = (self.names[i],)
@@ -307,16 +322,18 @@ class Log(Sequence[Event]):
             point += first[1].radius * normal
             lost += self._lost(j, second)
         closing = _along(first[0], normal, rise)
+        push = self._masses[i] * (closing - _along(first[1], normal, rise))
+        impulse = 0.0 if what in ("roll", "rest", "off") else self._masses[i] * _kick(*first)
         if kind == PAIR:
             closing -= _along(second[0], normal, rise)
-        impulse = 0.0 if what in ("roll", "rest", "off") else self._masses[i] * _kick(*first)
         if shared is not None:
-            impulse, share, members, _ = shared
+            push, share, members, _ = shared
+            impulse = push
             lost = share * sum(self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members)
         return Event(
             epoch + time, what, names, wall, (point.real, point.imag),
             tuple(turn[0].state() for turn in turns), tuple(turn[1].state() for turn in turns),
-            closing, impulse, lost,
+            closing, impulse, lost, push, self._away(index),
         )  # fmt: skip
 
 

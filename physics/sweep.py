@@ -16,6 +16,14 @@ from .batch import NUMBERS, Outcomes, simulate_many
 if TYPE_CHECKING:
     from .world import World
 
+MEANING = {
+    "speed": "m/s",
+    "angle": "degrees, anticlockwise from +x",
+    "follow": "m/s, + follow, - draw",
+    "masse": "m/s, + curves right, - left",
+    "side": "m/s, + right english (anticlockwise from above), - left",
+    "climb": "m/s, + upward",
+}
 MOST = 10_000_000  # shots: the outcomes of four balls fill a gigabyte
 PIECE = 200_000  # shots that are made ready at once: 50 MB
 PATIENCE = 1.0  # s: what is done by then needs no bar
@@ -27,7 +35,7 @@ def add_options(one: argparse.ArgumentParser) -> None:
     for name, default in zip(NUMBERS, (None, *"00000"), strict=True):
         one.add_argument(
             f"--{name}", metavar="RANGE", type=values, required=default is None, default=default,
-            help="1.5, or 1,2,3 or FROM:TO:STEP with both ends; all combinations are played",
+            help=f"{MEANING[name]}: 1.5, or 1,2,3 or FROM:TO:STEP with both ends",
         )  # fmt: skip
     many = one.add_mutually_exclusive_group()
     many.add_argument("--threads", type=count, metavar="N", help="share the work")

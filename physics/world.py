@@ -126,10 +126,12 @@ class World:
     @cloth.setter
     def cloth(self, cloth: Cloth) -> None:
         self._refuse_laws("cloth")
-        self._cloth = _cloth(cloth)
+        laws.on_cloth(self._cushion_law, _cloth(cloth).slide)
+        self._cloth = cloth
         self._disturb()
         self._clock.cloth = replace(cloth.felt(), still=self._clock.cloth.still)
         self.scene = self.scene._replace(cloth=self._clock.cloth)
+        self._renew_rules()
 
     @property
     def ball_law(self) -> laws.BallLaw:
@@ -148,7 +150,9 @@ class World:
     @cushion_law.setter
     def cushion_law(self, law: str | laws.CushionLaw) -> None:
         self._refuse_laws("cushion_law")
-        self._cushion_law = laws.cushion_law(law, self._cushion_law)
+        law = laws.cushion_law(law, self._cushion_law)
+        laws.on_cloth(law, self._cloth.slide)
+        self._cushion_law = law
         self._renew_rules()
         for ball in self._balls:
             if ball.phase == "airborne":  # where the nose is has been planned with
@@ -182,7 +186,8 @@ class World:
     def _rules(self, before: Rule | None = None) -> tuple[object, object]:
         vmin = self._engine.vmin
         ball = laws.ball_rule(self._ball_law, vmin)
-        cushion = laws.cushion_rule(self._cushion_law, vmin, before)
+        law = laws.on_cloth(self._cushion_law, self._cloth.slide)
+        cushion = laws.cushion_rule(law, vmin, before)
         self._watched = any(isinstance(rule, laws.ForeignRule) for rule in (ball, cushion))
         if self._watched:
             from .watch import watch

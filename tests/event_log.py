@@ -1,8 +1,9 @@
 """Event logs written by hand, one contact a beat: the rules are tested on these."""
 
 from dataclasses import dataclass
+from math import inf
 
-BEAT = 0.1  # s between contacts, unless a test says otherwise: longer than a lasting contact
+BEAT = 0.1  # s between contacts, unless a test says otherwise
 
 
 @dataclass(frozen=True)
@@ -11,6 +12,7 @@ class Entry:
     kind: str
     balls: tuple[str, ...]
     wall: str | None = None
+    away: float = inf
 
 
 def log(*steps: str) -> list[Entry]:
@@ -26,10 +28,11 @@ def log(*steps: str) -> list[Entry]:
     return entries
 
 
-def entry(time: float, step: str) -> Entry:
+def entry(time: float, step: str, away: float = inf) -> Entry:
+    """One entry; `away` is how far, m, the ball had been from the cushion that it meets."""
     if "|" in step:
         ball, wall = step.split("|")
-        return Entry(time, "cushion", (ball,), wall)
+        return Entry(time, "cushion", (ball,), wall, away)
     if step.endswith("!"):
         return Entry(time, "off", (step[:-1],))
     balls = tuple(step.split("-"))

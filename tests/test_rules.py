@@ -1,5 +1,7 @@
 """The rules of the carom games, judged stroke by stroke: the cases R1 to R22 and their corners."""
 
+from typing import NamedTuple
+
 import pytest
 from event_log import BEAT, EAST, NORTH, R1, R2, RED, SOUTH, WEST, YELLOW, entry, log
 
@@ -8,7 +10,7 @@ from game.match.free import Free
 from game.match.match import Match, Player
 from game.match.rules import Turn, Verdict
 from game.match.sagu import EXTRA_3C, LAST_POINT_3C, Sagu
-from game.match.stroke import LASTING, TIE
+from game.match.stroke import LEFT, TIE
 from physics import Shot, scenes, simulate
 
 
@@ -186,15 +188,41 @@ def test_on_the_opening_both_balls_at_one_instant_are_the_red_first() -> None:
 
 
 def test_a_ball_pressed_into_a_cushion_by_its_spin_touches_it_once() -> None:
-    pressed = [entry(1.0 + i * 0.5 * LASTING, WEST) for i in range(50)]
-    verdict = Carom().verdict([*log(YELLOW), *pressed, entry(9.0, RED)], Turn())
+    first = entry(1.0, WEST)
+    pressed = [entry(1.0 + i * BEAT, WEST, away=LEFT) for i in range(1, 50)]
+    verdict = Carom().verdict([*log(YELLOW), first, *pressed, entry(9.0, RED)], Turn())
     assert (verdict.points, verdict.facts.cushions) == (0, 1)
 
 
-def test_a_cushion_met_again_off_a_ball_counts_again_however_soon() -> None:
-    quick = [entry(1.0, WEST), entry(1.002, YELLOW), entry(1.004, WEST), entry(1.006, YELLOW)]
-    verdict = Carom().verdict([*quick, entry(1.008, WEST), entry(2.0, RED)], Turn())
+def test_a_cushion_that_was_left_counts_again_however_soon() -> None:
+    left = {"away": 1.01 * LEFT}
+    quick = [entry(1.0, WEST), entry(1.002, YELLOW), entry(1.004, WEST, **left)]
+    verdict = Carom().verdict([*quick, entry(1.006, WEST, **left), entry(2.0, RED)], Turn())
     assert (verdict.points, verdict.facts.cushions) == (1, 3)
+
+
+def test_a_cushion_never_left_does_not_count_again_off_a_ball() -> None:
+    quick = [entry(1.0, WEST), entry(1.002, YELLOW), entry(1.004, WEST, away=0.5 * LEFT)]
+    verdict = Carom().verdict([*quick, entry(1.5, NORTH), entry(2.0, RED)], Turn())
+    assert (verdict.points, verdict.facts.cushions) == (0, 2)
+    assert verdict.facts.path == ("west", "yellow", "north", "red")
+
+
+def test_a_cushion_that_the_ball_is_frozen_to_is_no_contact_of_the_stroke() -> None:
+    frozen = [entry(0.0, WEST, away=0.0), *log(NORTH, YELLOW, EAST, RED)]
+    verdict = Carom().verdict(frozen, Turn())
+    assert (verdict.points, verdict.facts.bank) == (0, 1)
+
+
+def test_a_log_that_does_not_say_how_far_a_ball_was_away_counts_every_contact() -> None:
+    class Bare(NamedTuple):
+        time: float
+        kind: str
+        balls: tuple[str, ...]
+        wall: str | None = None
+
+    bare = [Bare(e.time, e.kind, e.balls, e.wall) for e in log(WEST, WEST, WEST, YELLOW, RED)]
+    assert Carom().verdict(bare, Turn()).points == 1  # type: ignore[arg-type]
 
 
 def test_cushions_of_other_balls_do_not_count() -> None:

@@ -11,10 +11,10 @@ from typing import Protocol
 # after six ball hits, so 1e-10 s at 1 m/s; a referee's eye is seven orders coarser.
 TIE = 1e-9
 
-# s.  A cushion that is met again this soon was never left: cloth friction (at most 0.4 g) brings
-# a ball back in 20 ms only from 0.2 mm away.  Spin that presses a ball into a cushion makes
-# dozens of such contacts, which a player counts as one.
-LASTING = 0.02
+# m.  A ball that has come no farther than this from a cushion has not left it, so its next contact
+# with it is the same one, and the first contact of a ball that lies there is none.  How this number
+# was chosen: docs/physics.md, "What counts as a contact".
+LEFT = 1e-3
 
 BALL, CUSHION, OFF = "ball", "cushion", "off"
 
@@ -33,6 +33,17 @@ class Event(Protocol):
     def balls(self) -> tuple[str, ...]: ...
     @property
     def wall(self) -> str | None: ...
+    @property
+    def away(self) -> float:
+        """At a cushion, m: the greatest gap since they last touched, or since the stroke began;
+        inf at anything else."""
+        ...
+
+
+def counts(event: Event) -> bool:
+    """Whether it is a contact of its own, and not one with a cushion that has not been left."""
+    # entries written by hand may not say how far the ball had been: it came from afar
+    return getattr(event, "away", inf) > LEFT
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +78,10 @@ class Stroke:
         """Whether a cushion was met at the very instant `time`."""
         return any(touch.cushion and abs(touch.time - time) <= TIE for touch in self.touches)
 
+    def until(self, time: float) -> Stroke:
+        """As much of it as had happened by then, s."""
+        return Stroke(tuple(touch for touch in self.touches if touch.time <= time), self.off)
+
     def path(self, until: float = inf) -> tuple[str, ...]:
         """The names of all that was met up to and at the instant `until`."""
         return tuple(touch.what for touch in self.touches if touch.time <= until + TIE)
@@ -76,16 +91,14 @@ def stroke(log: Iterable[Event], cue: str) -> Stroke:
     """The log of one stroke, in order of time, seen from the ball named `cue`."""
     touches: list[Touch] = []
     off: list[str] = []
-    leaning: dict[str, float] = {}  # when each cushion was met last, since the last ball
     for event in log:
         if event.kind == OFF:
             off += event.balls
-        elif event.kind == CUSHION and event.wall is not None and cue in event.balls:
-            if event.time - leaning.get(event.wall, -inf) > LASTING:
-                touches.append(Touch(event.time, event.wall, cushion=True))
-            leaning[event.wall] = event.time
-        elif event.kind == BALL and cue in event.balls:
+        elif cue not in event.balls:
+            continue
+        elif event.kind == CUSHION and event.wall is not None and counts(event):
+            touches.append(Touch(event.time, event.wall, cushion=True))
+        elif event.kind == BALL:
             a, b = event.balls
             touches.append(Touch(event.time, b if a == cue else a, cushion=False))
-            leaning.clear()
     return Stroke(tuple(touches), tuple(off))

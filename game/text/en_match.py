@@ -191,7 +191,10 @@ WORDS = {
         "An inning is one turn at the table; the average is points an inning, the high run "
         "the best of one inning."
     ),
-    "rule.four-ball.7": "A ball that spin keeps pressed against a cushion touches it once.",
+    "rule.four-ball.7": (
+        "A cushion counts again once the ball was more than 1 mm away from it; one that the ball "
+        "is frozen to counts only then."
+    ),
     "rule.three-cushion.1": (
         "Hit both other balls, with three or more cushion contacts before the second one: 1 "
         "point, and you play on."
@@ -213,7 +216,10 @@ WORDS = {
         "An inning is one turn at the table; the average is points an inning, the high run "
         "the best of one inning."
     ),
-    "rule.three-cushion.8": "A ball that spin keeps pressed against a cushion touches it once.",
+    "rule.three-cushion.8": (
+        "A cushion counts again once the ball was more than 1 mm away from it; one that the ball "
+        "is frozen to counts only then."
+    ),
     "alone.run": "Run",
     "alone.best": "High run",
     "alone.fouls": "Fouls",

@@ -11,7 +11,7 @@ import pygame
 from game.actions import Action
 from game.clock import TICKS
 from game.play import Game
-from game.playhead import events, moment, passed
+from game.playhead import moment, notable, passed
 from game.render import cards
 from game.render.layout import Layout
 from game.render.theme import BACKGROUND, TEXT, TEXT_SOFT
@@ -110,9 +110,7 @@ def log_rows(
         return tuple((colour[b].ui, colour[b].letter) for b in balls)
 
     rows = [cards.LogRow("0.00", dots((game.shooter,)), w["event.strike"])] if game.shots else []
-    for event in events(game):
-        if event.kind == "roll":
-            continue
+    for event in notable(game):
         balls = event.balls
         if balls[-1] == game.shooter:
             balls = balls[::-1]
@@ -130,7 +128,7 @@ def log_rows(
 
 def _log_times(game: Game) -> list[float]:
     """When the rows of the log were, world seconds."""
-    times = [event.time for event in events(game) if event.kind != "roll"]
+    times = [event.time for event in notable(game)]
     return [game.began, *times] if game.shots else times
 
 

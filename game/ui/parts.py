@@ -102,13 +102,18 @@ def box_part(index: int, rect: pygame.Rect) -> Part:
         value, state, caret, selected = _box_look(index, sight)
         w = sight.words
         unit = w["unit.angle" if BOXES[index] == "angle" else "unit.speed"]
-        label = w["box." + BOXES[index]]
+        label = sight.type.fitted(_label(BOXES[index], w), 12, rect.w - 24 * sight.layout.s)
         return fields.field(surface, rect, sight.type, label, value, unit, state, caret, selected)
 
     def touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
         return Action("edit", index)
 
     return Part(f"box {index}", rect, key, draw, touch, spill=4)
+
+
+def _label(box: str, w: dict[str, str]) -> str:
+    """The name of a box, and of a spin which way is positive."""
+    return " · ".join(w[key] for key in (f"box.{box}", f"sign.{box}") if key in w)
 
 
 def _box_look(index: int, sight: Sight) -> tuple[str, str, int | None, bool]:

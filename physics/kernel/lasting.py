@@ -2,9 +2,9 @@
 
 Legs are parabolas of one ball each, so a contact under pressure is a row of hops. How high they
 are is free: only their mean is physics. A contact that comes back soon, and slowly, lasts if what
-presses it would bring it back again from a hop lower than HOP. Then it parts just fast enough to hop that high, and all that hang
-together with it come down at the same time. The speed of a hop is lent: when it comes back with
-it, nothing rebounds.
+presses it would bring it back again from a hop lower than HOP. Then it parts just fast enough to
+hop that high, and all that hang together with it come down at the same time. The speed of a hop
+is lent: when it comes back with it, nothing rebounds.
 
 Nor does what is held: a light ball between a heavy one and a cushion hits both again and again in
 one instant, losing energy each time, until nothing closes any more.
@@ -25,6 +25,7 @@ LONGEST = 12.0  # times the length of the first
 SLOW = 4.4 * HOP  # times slide and radius: m²/s², of the highest hop and a little more, as sliding
 # presses two balls together with twice its own deceleration
 SPREAD = 2.0  # hops: gaps below that belong to the same contact
+LIGHTLY = 0.1  # of the least parting speed: what parts when nothing presses it any more
 FAR = 0.1  # radii: no gap above that does (cells are laid for it)
 NEVER = -1.0  # when a ball met something slowly, if the last that it met it met quickly
 
@@ -236,9 +237,10 @@ def aim(tie, time, most, lasting, least, held, scene):
         return max(lift, lent)  # if it closes later, it still knows what it was lent
     if closing <= 0.0 and press <= 0.0:
         tie.target = 0.0
+    elif back:
+        tie.target = max(LIGHTLY * rule.parting, lift, least)
     else:
-        rebound = 0.0 if back else rule.restitution * closing
-        tie.target = max(rebound, rule.parting, lift, least)
+        tie.target = max(rule.restitution * closing, rule.parting, lift)
     return lift
 
 

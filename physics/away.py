@@ -1,0 +1,65 @@
+"""How far a ball gets from a cushion before it meets it again, exactly: its legs are parabolas."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import inf
+from typing import Any
+
+from .kernel.calendar import CUSHION
+from .wall import Wall
+
+Raw = tuple[Any, ...]  # a leg or an event as the log keeps it
+EPOCH, SINCE, POSITION, VELOCITY, ACCELERATION, RADIUS = 0, 1, 2, 3, 4, 8  # in a leg
+KIND, WALL, BALL, LEG = 2, 3, 4, 5  # in an event
+
+
+class Departures:
+    """For every event the greatest gap, m, between ball and cushion since they last touched.
+
+    Each is worked out once, when it is first asked for: rules ask for all of them again and again.
+    """
+
+    def __init__(self) -> None:
+        self._gaps: list[float] = []
+        self._met: dict[tuple[int, int], int] = {}
+        """By ball and wall: the leg that began when they last touched."""
+
+    def before(
+        self, event: int, events: Sequence[Raw], legs: Sequence[Sequence[Raw]], walls: list[Wall]
+    ) -> float:
+        """The gap before that event, for a first touch since the first leg; inf for no touch."""
+        for raw in events[len(self._gaps) : event + 1]:
+            self._gaps.append(self._gap(raw, legs, walls) if raw[KIND] == CUSHION else inf)
+        return self._gaps[event]
+
+    def clear(self) -> None:
+        """Events or legs are no longer what they were."""
+        self._gaps.clear()
+        self._met.clear()
+
+    def _gap(self, raw: Raw, legs: Sequence[Sequence[Raw]], walls: list[Wall]) -> float:
+        ball, last, wall = raw[BALL], raw[LEG], raw[WALL]
+        first = self._met.get((ball, wall), 0)
+        self._met[ball, wall] = last
+        return farthest(legs[ball][first : last + 1], walls[wall])
+
+
+def farthest(legs: Sequence[Raw], wall: Wall) -> float:
+    """The greatest gap, m, between a ball and a wall from its first leg's start to the last's."""
+    inward, most = wall.normal.conjugate(), -inf
+    for leg, after in pairwise(legs):
+        far = (inward * leg[POSITION]).real
+        out = (inward * leg[VELOCITY]).real
+        if out > 0.0:  # or else it is farthest at the start, or where the next leg starts
+            t = (after[EPOCH] - leg[EPOCH]) + (after[SINCE] - leg[SINCE])
+            far += _gained(out, (inward * leg[ACCELERATION]).real, t)
+        if far > most:
+            most = far
+    return max(0.0, float(most - wall.offset - legs[0][RADIUS]))
+
+
+def _gained(out: float, pull: float, t: float) -> float:
+    """The most that out t + pull t²/2 comes to within t."""
+    if out < -pull * t:  # it turns back on the way
+        return -0.5 * out * out / pull
+    return t * (out + 0.5 * t * pull)
