@@ -10,6 +10,8 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
+from physics import commandline
+
 ROOT = Path(__file__).parent.parent
 RESULTS = Path(__file__).parent / "results"
 SMALLEST, QUICK, FULL = 0, 1, 2  # how much is measured: a second or two, half a minute, minutes
@@ -17,17 +19,26 @@ SMALLEST, QUICK, FULL = 0, 1, 2  # how much is measured: a second or two, half a
 
 def options(name: str, purpose: str | None, arguments: list[str] | None) -> argparse.Namespace:
     """`effort` (SMALLEST, QUICK or FULL) and `out`, the folder that results go to."""
-    parser = argparse.ArgumentParser(prog=f"python -m benchmarks {name}", description=purpose)
+    parser = commandline.Parser(prog=f"python -m benchmarks {name}", description=purpose)
     effort = parser.add_mutually_exclusive_group()
     add = effort.add_argument
     add("--quick", dest="effort", action="store_const", const=QUICK, help="less of it, in seconds")
     add("--smallest", dest="effort", action="store_const", const=SMALLEST, help="to see it work")
-    parser.add_argument("--out", type=Path, help="folder for results (default: benchmarks/results)")
+    parser.add_argument("--out", type=place, help="folder for results (benchmarks/results)")
     parser.set_defaults(effort=FULL)
     chosen = parser.parse_args(arguments)
+    if chosen.out is not None and chosen.out.exists() and not chosen.out.is_dir():
+        parser.error(f"--out {chosen.out}: not a folder")
     if chosen.out is None:
         chosen.out = RESULTS if chosen.effort == FULL else RESULTS / "quick"
     return chosen
+
+
+def place(text: str) -> Path:
+    """A path, which "" is not: Path takes it for the folder that one is in."""
+    if not text.strip():
+        raise argparse.ArgumentTypeError(f"must not be empty: {text!r}")
+    return Path(text)
 
 
 def _version(package: str) -> str:

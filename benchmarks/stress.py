@@ -1,13 +1,16 @@
 """Scenes made to break the engine, by families; what fails is printed with how to see it again."""
 
 import argparse
-from collections.abc import Iterator
-from pathlib import Path
+import re
+from collections.abc import Callable, Iterator
 from random import Random
 from time import process_time
 
+from physics import commandline
+
 from . import stepping_breaks
 from .families import FAMILIES
+from .report import place, provenance
 from .trials import Trial, outcome
 
 HEAD = "| family | trials | events | failed | CPU s |\n|---|---|---|---|---|"
@@ -40,14 +43,27 @@ def report(family: str, ks: range, seed: int) -> tuple[str, int]:
 
 
 def options(arguments: list[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="python -m benchmarks stress", description=__doc__)
-    parser.add_argument("--short", action="store_true", help="the part that runs with the tests")
+    parser = commandline.Parser(prog="python -m benchmarks stress", description=__doc__)
+    trials = parser.add_mutually_exclusive_group()
+    trials.add_argument("--short", action="store_true", help="the part that runs with the tests")
+    trials.add_argument("--count", type=_from(1), help="so many trials of each family")
+    trials.add_argument("--only", type=_from(0), metavar="K", help="only trial K")
     parser.add_argument("--family", choices=FAMILIES, help="only this one")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--count", type=int, help="so many trials of each family")
-    parser.add_argument("--only", type=int, metavar="K", help="only trial K")
-    parser.add_argument("--write", type=Path, metavar="FILE", help="keep the tables there")
-    return parser.parse_args(arguments)
+    parser.add_argument("--write", type=place, metavar="FILE", help="keep the tables there")
+    chosen = parser.parse_args(arguments)
+    if chosen.write and not chosen.write.parent.is_dir():
+        parser.error(f"--write {chosen.write}: there is no folder {chosen.write.parent}")
+    return chosen
+
+
+def _from(least: int) -> Callable[[str], int]:
+    def number(text: str) -> int:
+        if not re.fullmatch(r"\d{1,9}", text) or int(text) < least:
+            raise argparse.ArgumentTypeError(f"{text!r} is no whole number from {least} on")
+        return int(text)
+
+    return number
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -67,8 +83,6 @@ def main(arguments: list[str] | None = None) -> int:
         lines += ["", stepping_breaks.table(2 if chosen.short else 40)]
         print(lines[-1])
     if chosen.write:
-        from .report import provenance
-
         text = "\n".join(["# Stress", "", *lines, "", provenance()])
         chosen.write.write_text(text + "\n", encoding="utf-8")
     return 1 if failed else 0

@@ -3,49 +3,53 @@
 from __future__ import annotations
 
 import os
-import signal
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
-from types import FrameType, ModuleType
-from typing import TYPE_CHECKING
+from io import TextIOWrapper
 
+TYPE_CHECKING = False  # as typing has it, whose import leaves time for a Ctrl+C with a traceback
 if TYPE_CHECKING:
+    from types import ModuleType
+
+    from .app import App
     from .options import Options
     from .play import Game
+    from .preferences import Preferences
+    from .record import Record
+    from .replay import Replay
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Play; returns the exit code: 0, or 2 with a message on stderr when that is impossible."""
+    try:
+        from . import signals
+
+        with signals.orderly():
+            return _begin(arguments)
+    except KeyboardInterrupt:  # before anything listens
+        return 130
+
+
+def _begin(arguments: list[str] | None) -> int:
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
+    _write_anything()
     from . import options as command_line
+    from .plain import in_a_line
 
     options = command_line.read(arguments)
     if options.version:
         return _version()
     try:
-        with _sigterm_closes_the_window():
-            return _play(options)
+        return _play(options)
     except ValueError as error:
-        print(f"danggu: {error}", file=sys.stderr)
+        print(f"danggu: {in_a_line(error)}", file=sys.stderr)
         return 2
 
 
-@contextmanager
-def _sigterm_closes_the_window() -> Iterator[None]:
-    """Take SIGTERM as a QUIT, also before SDL listens; put the old handler back after."""
-
-    def leave(number: int, frame: FrameType | None) -> None:
-        pygame = sys.modules.get("pygame")
-        if pygame is None or not getattr(pygame, "display", None) or not pygame.display.get_init():
-            raise SystemExit(0)
-        pygame.event.post(pygame.event.Event(pygame.QUIT))
-
-    before = signal.signal(signal.SIGTERM, leave)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
+def _write_anything() -> None:
+    """Let names be printed on every terminal: what it does not know is written as an escape."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
 
 
 def _pygame() -> ModuleType:
@@ -78,36 +82,76 @@ def _version() -> int:
 def _play(options: Options) -> int:
     pygame = _pygame()
     from . import record, start
+    from .replay import excused
+
+    hidden = start.unseen(options)
+    if not hidden:
+        start.display(options)
+    try:
+        preferences = start.preferences(options)
+        options = preferences.settings.applied(options)
+        if not options.replay:
+            return _run(options, preferences, new_game(options))
+        played = record.read(options.replay, options)
+        with excused(played.name):
+            game = new_game(played.setup)
+        return _replay(played, game, preferences, hidden)
+    finally:
+        pygame.display.quit()
+
+
+def _replay(played: Record, game: Game, preferences: Preferences, hidden: bool) -> int:
+    from . import signals, start
+    from .replay import Replay, headless
+
+    if not hidden:
+        return _run(start.watched(played.setup), preferences, game, Replay(played, game))
+    signals.fail()
+    return start.told(headless(played, game))
+
+
+def _run(
+    options: Options, preferences: Preferences, game: Game, replay: Replay | None = None
+) -> int:
+    """Play in a window, and keep what is to be kept at the end."""
+    from contextlib import nullcontext
+
+    import pygame
+
+    from . import signals, start
     from .app import App
-    from .replay import headless
+    from .recorder import Recorder
+    from .replay import excused
     from .script import read
 
-    preferences = start.preferences(options)
-    options = preferences.settings.applied(options) if preferences.store else options
-    played = record.read(options.replay, options) if options.replay else None
-    options = played.setup if played else options
-    game = new_game(options)
-    if played and options.headless:
-        return start.told(headless(played, game))
     script = read(options.script) if options.script else None
+    recorder = Recorder(options.record, options, game) if options.record else None
     try:
-        app = App(game, options, script, preferences, start.journal(options, game, played))
+        app = App(game, options, script, preferences, replay or recorder)
     except pygame.error as error:
         raise ValueError(f"cannot open a window: {error}") from None
     start.greet(app)
     try:
-        app.run()
+        with excused(replay.record.name, game) if replay else nullcontext():
+            app.run()
         if options.screenshot:
-            app.save(options.screenshot)
-    except KeyboardInterrupt:
-        pass
-    except (pygame.error, OSError) as error:
-        raise ValueError(f"cannot save {options.screenshot!r}: {error}") from None
+            _photograph(app, options.screenshot)
     finally:
+        signals.ignore()
         app.close()
+        code = start.regret(app)
     if options.stats:
         print(app.report())
-    return start.told(app.replay)
+    return start.told(replay) if replay else code
+
+
+def _photograph(app: App, path: str) -> None:
+    import pygame
+
+    try:
+        app.save(path)
+    except (pygame.error, OSError) as error:
+        raise ValueError(f"cannot save {path!r}: {error}") from None
 
 
 def new_game(options: Options) -> Game:
@@ -118,16 +162,17 @@ def new_game(options: Options) -> Game:
     world = setup.scene_world(options.scene) if options.scene else setup.table_world(options.table)
     game = Game(world, options.substeps, options.seed, options.scene or options.table)
     game.language, game.edition = options.lang, options.edition
+    if options.setup:
+        sitting.line(game, options.setup)
+    elif options.game != fixture.FREE:
+        sitting.match(game, fixture.asked(options).line())
+    # after the table is laid: each table comes with its own
     if options.law:
         choices.law(game, options.law)
     if options.cloth != "table":
         choices.cloth(game, options.cloth)
     if options.engine != "exact":
         choices.engine(game, options.engine)
-    if options.setup:
-        sitting.line(game, options.setup)
-    elif options.game != fixture.FREE:
-        sitting.match(game, fixture.asked(options).line())
     return game
 
 

@@ -16,7 +16,7 @@ from .options import Options
 from .play import Game, Notice
 from .playhead import moment
 from .preferences import Preferences
-from .record import Recorder
+from .recorder import Recorder
 from .repeat import Repeat
 from .replay import Replay
 from .script import Script
@@ -334,9 +334,9 @@ class App:
 
     def close(self) -> None:
         """Keep what is to be kept, and give the devices back."""
+        self.preferences.save()
         if self.journal is not None:
             self.journal.close()
-        self.preferences.save()
         self.preferences.audio.close()
         pygame.display.quit()
 

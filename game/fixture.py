@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import asdict, dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
@@ -47,6 +48,8 @@ class Seat:
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or len(self.name) > LONGEST_NAME:
             raise ValueError(f"a name has at most {LONGEST_NAME} characters, not {self.name!r:.60}")
+        if any(c == "\0" or "\ud800" <= c <= "\udfff" for c in self.name):
+            raise ValueError(f"a name has only characters that can be drawn, not {self.name!r}")
         if self.level not in SEATS:
             raise ValueError(f"level must be one of {', '.join(SEATS)}, not {self.level!r:.60}")
         if type(self.target) is not int or not 1 <= self.target <= MOST_POINTS:
@@ -124,7 +127,7 @@ def read(line: str) -> Fixture:
         raise ValueError("a fixture is an object with a list of seats")
     unknown = set(data) - {f.name for f in fields(Fixture)}
     if unknown:
-        raise ValueError(f"a fixture has no {min(unknown)!r}")
+        raise ValueError(f"a fixture has no {min(unknown)!r:.60}")
     try:
         if "seats" in data:
             data["seats"] = tuple(Seat(**seat) for seat in data["seats"])
@@ -146,9 +149,10 @@ def asked(options: Options) -> Fixture:
         levels = [HUMAN] * (len(names) - len(levels)) + levels
     goals = (options.handicap or "10").split(",")
     goals += goals[-1:] * (len(names) - len(goals))
-    if not len(names) == len(levels) == len(goals):
-        raise ValueError("there are more levels or handicaps than players")
-    if not all(goal.isdecimal() for goal in goals):
+    for said, whole in ((levels, options.level), (goals, options.handicap)):
+        if len(said) > len(names):
+            raise ValueError(f"{whole!r:.60} is for {len(said)} players: there are {len(names)}")
+    if not all(re.fullmatch(r"\d{1,9}", goal) for goal in goals):
         raise ValueError(f"a handicap is a whole number, not {options.handicap!r:.60}")
     seats = tuple(Seat(n.strip(), v, int(g)) for n, v, g in zip(names, levels, goals, strict=True))
     law, finish = options.law or "table", options.finish or sagu.EXTRA_3C

@@ -8,18 +8,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
 from typing import NoReturn
 
+from physics import commandline
+
 from . import fixture, setup
+from .contradictions import VIEW, contradiction
+from .plain import shortly
 from .scriptformat import FORMAT
 from .text import LANGUAGES
 
-VIEW = frozenset(
-    {"lang", "size", "fps", "frames", "script", "screenshot", "stats", "version"}
-    | {"settings", "record", "replay", "headless", "given", "edition"}
-)
-"""Options that leave no trace in what the balls do, or say it elsewhere: a record leaves them out
-of what it began with."""
-MATCH = frozenset({"players", "level", "handicap", "finish"})
-"""Options that mean nothing without a match."""
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tga")
 """How the name of a picture ends: pygame writes these, and anything else as a TGA."""
 SIGNS = """\
@@ -77,26 +73,11 @@ def read(arguments: list[str] | None = None) -> Options:
     """Read the command line; on anything unknown say so on stderr and exit with 2."""
     parser = _parser()
     found = vars(parser.parse_args(arguments))
-    if "replay" in found and "record" in found:
-        parser.error("--record and --replay exclude each other")
-    if "headless" in found and "replay" not in found:
-        parser.error("--headless needs --replay")
-    if idle := _idle(found):
-        parser.error(idle)
-    if "game" in found:
+    if wrong := contradiction(found):
+        parser.error(wrong)
+    if found.get("game", fixture.FREE) != fixture.FREE:
         found.setdefault("table", fixture.TABLES[found["game"]])
     return Options(**found, given=frozenset(found))
-
-
-def _idle(found: Mapping[str, object]) -> str:
-    """Say which option of a match would do nothing in the game that is asked for, or ""."""
-    game = found.get("game", fixture.FREE)
-    if game == fixture.FREE and (lost := sorted(found.keys() & MATCH)):
-        rules = " or ".join(name for name in fixture.GAMES if name != fixture.FREE)
-        return f"{' and '.join(f'--{name} {found[name]}' for name in lost)}: needs --game {rules}"
-    if "finish" in found and game != fixture.FOUR_BALL:
-        return f"--finish {found['finish']}: needs --game {fixture.FOUR_BALL}"
-    return ""
 
 
 def of_setup(begun: Mapping[str, object], options: Options) -> Options:
@@ -105,14 +86,17 @@ def of_setup(begun: Mapping[str, object], options: Options) -> Options:
     They are read as the command line is: what it refuses is refused here.
     """
     usual = {f.name: f.default for f in fields(Options) if f.name not in VIEW}
-    said = [f"--{name}={value}" for name, value in begun.items() if value is not None]
-    strange = begun.keys() - usual.keys()
-    if strange:
-        raise ValueError(f"unknown setup: {', '.join(sorted(strange))}")
-    return replace(options, **{**usual, **vars(_parser(_Raising).parse_args(said))})
+    said = {name: value for name, value in begun.items() if value is not None}
+    for name, value in said.items():
+        if name not in usual:
+            raise ValueError(f"unknown setup: {shortly(name)}")
+        if type(value) not in (str, int):
+            raise ValueError(f"{name} is {shortly(value)}: text or a whole number was expected")
+    words = [f"--{name}={value}" for name, value in said.items()]
+    return replace(options, **{**usual, **vars(_parser(_Raising).parse_args(words))})
 
 
-class _Raising(argparse.ArgumentParser):
+class _Raising(commandline.Parser):
     """Says what is wrong to the program instead of to the terminal."""
 
     def error(self, message: str) -> NoReturn:
@@ -120,7 +104,7 @@ class _Raising(argparse.ArgumentParser):
 
 
 def _parser(
-    kind: type[argparse.ArgumentParser] = argparse.ArgumentParser,
+    kind: type[commandline.Parser] = commandline.Parser,
 ) -> argparse.ArgumentParser:
     parser = kind(
         prog="danggu",
@@ -130,7 +114,7 @@ def _parser(
         argument_default=argparse.SUPPRESS,
     )
     add = parser.add_argument
-    add("--seed", type=int, metavar="N", help="for placing balls at random")
+    add("--seed", type=_count(-(2**64), 2**64), metavar="N", help="for placing balls at random")
     add("--substeps", type=_count(1, 1000), metavar="N", help="physics calls a frame (6)")
     add("--table", choices=[*setup.TABLES], help="table and its balls (medium)")
     add("--scene", choices=[*setup.SCENES], help="begin with a scene of the physics package")
@@ -146,7 +130,8 @@ def _parser(
         "--frames",
         type=_count(1, 10**9),
         metavar="N",
-        help="stop after N frames; time is then counted in frames, as fast as they can be drawn",
+        help="stop after N frames, shown or not where there is no display; time is then counted "
+        "in frames, as fast as they can be drawn",
     )
     add("--script", metavar="FILE", help="keys and text to play, see below")
     add("--record", metavar="FILE", help="write down what is done, so that it can be replayed")
@@ -175,9 +160,9 @@ def _add_match(parser: argparse.ArgumentParser) -> None:
 
 def _count(least: int, most: int) -> Callable[[str], int]:
     def number(text: str) -> int:
-        if not re.fullmatch(r"[+-]?\d{1,12}", text) or not least <= int(text) <= most:
+        if not re.fullmatch(r"[+-]?\d{1,20}", text) or not least <= int(text) <= most:
             wanted = f"must be a whole number from {least} to {most}"
-            raise argparse.ArgumentTypeError(f"{wanted}: {text!r}")
+            raise argparse.ArgumentTypeError(f"{wanted}: {text!r:.60}")
         return int(text)
 
     return number
@@ -185,16 +170,16 @@ def _count(least: int, most: int) -> Callable[[str], int]:
 
 def _picture(text: str) -> str:
     if not text.lower().endswith(PICTURES):
-        raise argparse.ArgumentTypeError(f"must end in {', '.join(PICTURES)}: {text!r}")
+        raise argparse.ArgumentTypeError(f"must end in {', '.join(PICTURES)}: {text!r:.60}")
     return text
 
 
 def _size(text: str) -> tuple[int, int]:
     found = re.fullmatch(r"(\d{1,5})[xX×](\d{1,5})", text)
     if not found:
-        raise argparse.ArgumentTypeError(f"must be written like 1280x720: {text!r}")
+        raise argparse.ArgumentTypeError(f"must be written like 1280x720: {text!r:.60}")
     width, height = int(found[1]), int(found[2])
     if width < SMALLEST[0] or height < SMALLEST[1] or max(width, height) > LARGEST:
         least = "x".join(map(str, SMALLEST))
-        raise argparse.ArgumentTypeError(f"must be from {least} to {LARGEST} a side: {text!r}")
+        raise argparse.ArgumentTypeError(f"must be from {least} to {LARGEST} a side: {text!r:.60}")
     return width, height

@@ -105,7 +105,7 @@ class Game:
             handler(self)
         else:
             handler(self, action.value)
-        if self._is_step(action.name, before.moving):
+        if self._is_step(action.name, before.moving) or self.world is not before.world:
             self.history.note(before, self)
         self._did = action.name
         self.version += 1

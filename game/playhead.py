@@ -9,7 +9,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import ceil
+from math import ceil, isfinite
 from typing import TYPE_CHECKING
 
 from physics import Event
@@ -26,7 +26,7 @@ USUAL = 8
 FRAME = TICKS // 60
 """What a single frame is while time stands."""
 LONGEST_SHOT = 300
-"""Seconds after which a shot that is to be skipped is left running."""
+"""Seconds after which a shot that is to be skipped, or scrubbed on, is left running."""
 
 
 @dataclass(slots=True)
@@ -77,14 +77,17 @@ def reviewed(game: Game) -> bool:
 
 
 def put(game: Game, ticks: int) -> None:
-    """Show the moment `ticks` after the shot began; what has not happened yet happens now."""
+    """Show the moment `ticks` after the shot began; what has not happened yet happens now.
+
+    A shot without an end goes on by LONGEST_SHOT at most.
+    """
     if not reviewed(game):
         return
     head, last = game.head, end(game)
     head.playing = False
     game.paused = game.paused or game.moving
     if ticks > last and game.moving:
-        game.run(ticks - last)
+        game.run(min(ticks - last, LONGEST_SHOT * TICKS))
         last = ticks
     head.at = max(0, ticks) if ticks < last else None
     game.read()
@@ -132,7 +135,7 @@ def event(game: Game, way: int) -> None:
         put(game, max((mark for mark in marks if mark < at), default=0))
     elif ahead := [mark for mark in marks if mark > at]:
         put(game, ahead[0])
-    elif game.moving:
+    elif game.moving and isfinite(game.world.next_event):  # a ball that only spins has none
         put(game, max(at + 1, ceil((game.world.next_event - game.began) * TICKS)))
 
 

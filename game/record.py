@@ -10,20 +10,28 @@ from __future__ import annotations
 
 import json
 import struct
+from codecs import BOM_UTF8
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from hashlib import blake2b
 from platform import machine, python_version, system
-from typing import IO, Any
+from typing import Any
 
+from . import files
 from .actions import Action
 from .clock import TICKS
-from .options import VIEW, Options, of_setup
+from .options import Options, of_setup
+from .plain import in_a_line, shortly
 from .play import Game
 from .setup import EDITIONS
+from .values import fault
 
 FORMAT = "danggu record"
 VERSION = 1
+LATEST = 1 << 40
+"""Tick of the last line at most: half a year."""
+LONGEST = 1 << 28
+"""Bytes of a record at most: days of aiming with the mouse without a pause."""
 
 
 class RecordError(ValueError):
@@ -58,7 +66,7 @@ def built_with() -> str:
 class Witness:
     """Sees every shot of a game end, and tells it: `tell(tick, digest)`.
 
-    A shot is over when the balls rest; when an action strikes anew, which tells how they were just
+    A shot is over when the balls rest; when an action strikes again, which tells how they were just
     before; or when one stops them or puts them elsewhere, which tells how they were and are.
     """
 
@@ -94,50 +102,6 @@ class Witness:
         return self.game.shots, self.game.began
 
 
-class Recorder:
-    """Writes a game down as it is played: each line at once, so that a crash loses none."""
-
-    def __init__(self, path: str, options: Options, game: Game) -> None:
-        try:
-            self._file: IO[str] = open(path, "w", encoding="utf-8")  # noqa: SIM115 closed by `close`
-        except OSError as error:
-            raise RecordError(f"cannot write record {path!r}: {error.strerror}") from None
-        self.game, self.shots = game, 0
-        self.witness = Witness(game, self._shot)
-        begun = {k: v for k, v in asdict(options).items() if k not in VIEW}
-        head = {"format": FORMAT, "version": VERSION, "with": built_with(), "ticks": TICKS}
-        self._write({**head, "edition": game.edition, "setup": begun})
-
-    def before(self, action: Action) -> None:
-        """An action is about to be done."""
-        if action.name != "quit":
-            said = [action.name] if action.value is None else [action.name, action.value]
-            self._write({"tick": self.game.tick, "do": said})
-        self.witness.before()
-
-    def after(self) -> None:
-        """The action has been done."""
-        self.witness.after()
-
-    def passed(self) -> None:
-        """Time has passed."""
-        self.witness.passed()
-
-    def close(self) -> None:
-        """Write the end; nothing can be noted after it."""
-        if not self._file.closed:
-            self._write({"tick": self.game.tick, "end": digest(self.game)})
-            self._file.close()
-
-    def _shot(self, tick: int, found: str) -> None:
-        self.shots += 1
-        self._write({"tick": tick, "shot": self.shots, "digest": found})
-
-    def _write(self, line: dict[str, object]) -> None:
-        self._file.write(json.dumps(line, ensure_ascii=False) + "\n")
-        self._file.flush()
-
-
 @dataclass(slots=True)
 class Record:
     """What a file holds; `end` is (tick, digest), or None if the game was cut off."""
@@ -154,31 +118,36 @@ class Record:
 
 def read(path: str, options: Options) -> Record:
     """Read a record; what it does not say is taken from `options`. RecordError if it is broken."""
-    try:
-        with open(path, encoding="utf-8") as file:
-            text = file.read()
-    except (OSError, UnicodeDecodeError) as error:
-        raise RecordError(f"cannot read record {path!r}: {error}") from None
-    lines = _lines(text, path)
+    lines = _lines(_content(path), path)
     head = next(lines, (0, None))[1]
     record = _begun(head, path, options)
     for number, line in lines:
         try:
             _take(record, line)
-        except (KeyError, TypeError, ValueError) as error:
-            raise RecordError(f"{path}, line {number}: not a line of a record ({error})") from None
+        except ValueError as error:
+            raise RecordError(f"{path}, line {number}: {error}") from None
     return record
 
 
-def _lines(text: str, path: str) -> Iterator[tuple[int, Any]]:
+def _content(path: str) -> bytes:
+    try:
+        return files.stream(path, LONGEST).removeprefix(BOM_UTF8)
+    except OSError as error:
+        why = error.strerror or error
+        raise RecordError(f"cannot read record {path!r}: {why}") from None
+
+
+def _lines(content: bytes, path: str) -> Iterator[tuple[int, Any]]:
     """Every line and its number; a last one that was cut off is left out."""
-    whole = text.endswith("\n")
-    raw = text.splitlines()
+    # not splitlines: names may hold the line separators of Unicode
+    raw = content.split(b"\n")
     for number, line in enumerate(raw, 1):
+        if not line.strip():
+            continue
         try:
-            yield number, json.loads(line)
+            yield number, json.loads(line.decode())
         except (ValueError, RecursionError):
-            if 1 < number == len(raw) and not whole:
+            if 1 < number == len(raw):
                 return
             raise RecordError(f"{path}, line {number}: not a record of this game") from None
 
@@ -187,32 +156,60 @@ def _begun(head: Any, path: str, options: Options) -> Record:
     if not isinstance(head, dict) or head.get("format") != FORMAT:
         raise RecordError(f"{path}: not a record of this game")
     if head.get("version") != VERSION or head.get("ticks") != TICKS:
-        said = f"version {head.get('version')!r}, this is version {VERSION}"
-        raise RecordError(f"{path}: a record of another kind ({said})")
+        kind = f"version {shortly(head.get('version'))} with {shortly(head.get('ticks'))} ticks"
+        this = f"this is version {VERSION} with {TICKS}"
+        raise RecordError(f"{path}: a record of another kind ({kind}, {this})")
     edition = head.get("edition", 1)
-    if edition not in EDITIONS:
-        raise RecordError(f"{path}: presets of edition {edition!r}, this has {EDITIONS}")
+    if type(edition) is not int or edition not in EDITIONS:
+        raise RecordError(
+            f"{path}: presets of edition {shortly(edition)}; this program has {EDITIONS}"
+        )
+    if not isinstance(head.get("setup"), dict):
+        raise RecordError(f"{path}, line 1: setup is {_said(head, 'setup')}, no object")
     try:
         setup = replace(of_setup(head["setup"], options), edition=edition)
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except ValueError as error:
         raise RecordError(f"{path}, line 1: {error}") from None
-    return Record(path, setup, str(head.get("with", "")))
+    built = head.get("with", "")
+    return Record(path, setup, in_a_line(built) if isinstance(built, str) else shortly(built))
 
 
-def _take(record: Record, line: dict[str, Any]) -> None:
-    """Add a line; raises what tells that it is none."""
-    tick = line["tick"]
-    if type(tick) is not int or tick < record.last:
-        raise ValueError(f"tick {tick!r} after {record.last}")
+def _take(record: Record, line: Any) -> None:
+    """Add a line; ValueError says what is wrong with it."""
+    if not isinstance(line, dict):
+        raise ValueError(f"an object was expected, not {shortly(line)}")
+    kinds = [kind for kind in ("do", "shot", "end") if kind in line]
+    if len(kinds) != 1:
+        raise ValueError('one of "do", "shot" and "end" was expected')
+    tick = line.get("tick")
+    if type(tick) is not int or not record.last <= tick <= LATEST:
+        expected = f"a whole number from {record.last} to {LATEST} was expected"
+        raise ValueError(f"tick is {_said(line, 'tick')}: {expected}")
     if record.end is not None:
         raise ValueError("something after the end")
     record.last = tick
     if "do" in line:
-        name, *value = line["do"]
-        if type(name) is not str or len(value) > 1:
-            raise ValueError(f"action {line['do']!r}")
-        record.actions.append((tick, Action(name, *value)))
+        record.actions.append((tick, _action(line["do"])))
     elif "shot" in line:
-        record.shots.append(str(line["digest"]))
+        record.shots.append(_digest(line, "digest"))
     else:
-        record.end = tick, str(line["end"])
+        record.end = tick, _digest(line, "end")
+
+
+def _action(said: Any) -> Action:
+    if not isinstance(said, list) or len(said) not in (1, 2):
+        raise ValueError(f"do must be an action and perhaps its value, not {shortly(said)}")
+    action = Action(*said)
+    if wrong := fault(action):
+        raise ValueError(wrong)
+    return action
+
+
+def _digest(line: dict[str, Any], name: str) -> str:
+    if not isinstance(line.get(name), str):
+        raise ValueError(f"{name} must be text, not {_said(line, name)}")
+    return str(line[name])
+
+
+def _said(line: dict[str, Any], name: str) -> str:
+    return shortly(line[name]) if name in line else "missing"

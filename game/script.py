@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
 import pygame
 
+from . import files
 from .clock import TICKS
+from .plain import shortly
 
 MODIFIERS = {"shift": pygame.KMOD_SHIFT, "ctrl": pygame.KMOD_CTRL, "alt": pygame.KMOD_ALT}
+
+LONGEST = 1 << 26
+"""Bytes of a script at most."""
 
 
 class ScriptError(ValueError):
@@ -38,9 +44,10 @@ class Script:
 def read(path: str) -> Script:
     """Read a script file; ScriptError says what is wrong and where."""
     try:
-        with open(path, encoding="utf-8") as file:
-            text = file.read()
-    except (OSError, UnicodeDecodeError) as error:
+        text = files.stream(path, LONGEST).decode("utf-8-sig")
+    except OSError as error:
+        raise ScriptError(f"cannot read script {path!r}: {error.strerror or error}") from None
+    except UnicodeDecodeError as error:
         raise ScriptError(f"cannot read script {path!r}: {error}") from None
     return parse(text, path)
 
@@ -48,7 +55,7 @@ def read(path: str) -> Script:
 def parse(text: str, name: str = "script") -> Script:
     """Return the script written in `text`."""
     lines: list[Line] = []
-    for number, raw in enumerate(text.splitlines(), 1):
+    for number, raw in enumerate(text.split("\n"), 1):
         words = raw.split("#", 1)[0].split()
         if not words:
             continue
@@ -66,9 +73,9 @@ def _tick(word: str) -> int:
     try:
         tick = round(float(word) * TICKS)
     except (ValueError, OverflowError):
-        raise ValueError(f"a time in seconds was expected, not {word!r}") from None
+        raise ValueError(f"a time in seconds was expected, not {shortly(word)}") from None
     if tick < 0:
-        raise ValueError(f"the time must not be negative, not {word!r}")
+        raise ValueError(f"the time must not be negative, not {shortly(word)}")
     return tick
 
 
@@ -78,21 +85,21 @@ def _events(words: list[str]) -> list[pygame.event.Event]:
             return [_key(name)]
         case ["text", *parts] if parts:
             return [pygame.event.Event(pygame.TEXTINPUT, text=c) for c in " ".join(parts)]
-        case ["click", x, y] if x.isdecimal() and y.isdecimal():
+        case ["click", x, y] if re.fullmatch(r"\d{1,5} \d{1,5}", f"{x} {y}"):
             at = (int(x), int(y))
             kinds = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
             return [pygame.event.Event(kind, pos=at, button=1, buttons=(0, 0, 0)) for kind in kinds]
         case ["quit"]:
             return [pygame.event.Event(pygame.QUIT)]
-    said = " ".join(words)
-    raise ValueError(f"key NAME, text TEXT, click X Y or quit was expected, not {said!r}")
+    said = shortly(" ".join(words))
+    raise ValueError(f"key NAME, text TEXT, click X Y or quit was expected, not {said}")
 
 
 def _key(name: str) -> pygame.event.Event:
     *held, last = name.lower().split("+") if len(name) > 1 else [name]
     code = ord(last) if len(last) == 1 and last.isascii() else _code(last)
     if code is None or any(h not in MODIFIERS for h in held):
-        raise ValueError(f"there is no key {name!r}")
+        raise ValueError(f"there is no key {shortly(name)}")
     mod = sum(MODIFIERS[h] for h in held)
     return pygame.event.Event(pygame.KEYDOWN, key=code, mod=mod, unicode="")
 

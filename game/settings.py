@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 import locale
 import os
-import shutil
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import files, setup
+from .contradictions import LAID
 from .text import LANGUAGES
 
 if TYPE_CHECKING:
@@ -65,13 +65,14 @@ class Settings:
             "engine": self.engine, "size": self.size,
         }  # fmt: skip
         # laws and cloth chosen for one table say nothing about another one
-        elsewhere = {"law", "cloth"} if {"table", "scene"} & options.given else set()
+        laid = options.given & {*LAID} - ({"game"} if options.game == "free" else set())
+        elsewhere = {"table", "law", "cloth"} if laid else set()
         free = {k: v for k, v in own.items() if k not in options.given | elsewhere}
         return replace(options, **free)  # type: ignore[arg-type]
 
 
 def start() -> Settings:
-    """The settings of somebody who has never chosen: Korean where the system is."""
+    """The settings of a player that has never chosen: Korean where the system is."""
     spoken = os.environ.get("LC_ALL") or os.environ.get("LANG") or locale.getlocale()[0] or ""
     return Settings(language="ko" if spoken.lower().startswith("ko") else "en")
 
@@ -123,59 +124,104 @@ def _keys(wanted: Mapping[str, object]) -> tuple[dict[str, str], list[str]]:
     return keys.sound(wanted)
 
 
-def folder() -> Path:
-    """The platform's folder for a user's settings."""
+def folder() -> Path | None:
+    """The platform's folder for a user's settings; None for a user without a home."""
     from platformdirs import user_config_path
 
-    return user_config_path("danggu", appauthor=False)
+    return files.folder(user_config_path)
 
 
 class Store:
-    """The file in which the settings are kept."""
+    """The file in which the settings are kept; other games may be using it too."""
 
     def __init__(self, path: Path | None = None) -> None:
-        self.path = path or folder() / "settings.json"
+        home = folder() if path is None else None
+        self.path = path or (home / "settings.json" if home else None)
+        """None where there is no place for it: then nothing is kept."""
         self.faults: list[str] = []
         """The values that could not be used when the file was read."""
-        self._text = ""
+        self.trouble = ""
+        """Why the settings could not be saved, or ""."""
+        self._known: Settings | None = None
+        """What the file held for all this game knows; None before it has seen any."""
+        self._there = False
+
+    def read(self) -> Settings:
+        """Read the file, and write nothing: a broken one stays as it is."""
+        try:
+            settings, self.faults = self._found()
+            self._there = True
+        except FileNotFoundError:
+            settings = start()
+        except OSError:
+            settings, self.faults = start(), ["format"]
+        self._known = _copy(settings)
+        return settings
 
     def load(self) -> Settings:
         """Read the file.  A broken one is kept beside as .broken and replaced by a good one."""
-        try:
-            text = self.path.read_text(encoding="utf-8")
-        except FileNotFoundError:
-            return start()
-        except (OSError, UnicodeDecodeError):
-            text = ""
-        try:
-            document = json.loads(text)
-        except (ValueError, RecursionError):
-            document = None
-        settings, self.faults = read(document)
-        self._text = _text(settings)
+        settings = self.read()
         if self.faults:
-            self._set_aside()
             self.save(settings, anyway=True)
         return settings
 
     def save(self, settings: Settings, *, anyway: bool = False) -> bool:
-        """Write the file at once or not at all, if anything changed; returns whether it is good."""
-        text = _text(settings)
-        if text == self._text and not anyway:
+        """Write what has changed since it was read, if anything; returns whether it is in the file.
+
+        All of it is written or nothing.  What another game has changed meanwhile stays.
+        """
+        if settings == self._known and self._there and not anyway:
             return True
         try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            files.write(self.path, text)
-        except OSError:
+            if self.path is None:
+                raise OSError("there is no home folder")
+            with files.alone(self.path):
+                files.write(self.path, _text(self._merged(settings)))
+        except OSError as error:
+            self.trouble = error.strerror or str(error)
             return False
-        self._text = text
+        self._known, self._there, self.trouble = _copy(settings), True, ""
         return True
 
-    def _set_aside(self) -> None:
+    def _found(self) -> tuple[Settings, list[str]]:
+        """The settings in the file and their faults; OSError if there is none to be read."""
+        if self.path is None:
+            raise FileNotFoundError
         try:
-            shutil.copyfile(self.path, self.path.with_name(self.path.name + ".broken"))
-        except OSError:
-            return  # a folder, or a file nobody may read: it stays as it is
+            return read(json.loads(files.read(self.path)))
+        except (ValueError, RecursionError):
+            return read(None)
+
+    def _merged(self, mine: Settings) -> Settings:
+        """These settings where this game has changed them, and the file's elsewhere."""
+        assert self.path is not None, "there is a file to merge with"
+        try:
+            theirs, faults = self._found()
+        except FileNotFoundError:
+            return mine
+        if faults:
+            files.set_aside(self.path)
+        if "format" in faults or self._known is None:
+            return mine
+        for name in (f.name for f in fields(Settings)):
+            value = getattr(mine, name)
+            if name != "keys" and (name in faults or value != getattr(self._known, name)):
+                setattr(theirs, name, value)
+        theirs.keys = _merged_keys(mine.keys, theirs.keys, self._known.keys)
+        return theirs
+
+
+def _merged_keys(
+    mine: dict[str, str], theirs: dict[str, str], known: dict[str, str]
+) -> dict[str, str]:
+    """Their changed keys with those of mine that are not as they were known."""
+    kept = {name: key for name, key in theirs.items() if name in mine or name not in known}
+    own = {name: key for name, key in mine.items() if known.get(name) != key}
+    return _keys({**kept, **own})[0]
+
+
+def _copy(settings: Settings) -> Settings:
+    return replace(settings, keys=dict(settings.keys))
 
 
 def _text(settings: Settings) -> str:

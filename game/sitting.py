@@ -61,7 +61,8 @@ def intend(game: Game, numbers: str) -> None:
 def play(game: Game, numbers: str) -> None:
     """Strike with five numbers: the stroke as the computer carries it out."""
     intend(game, numbers)
-    game.strike()
+    if game.aim.shot is not None:
+        game.strike()
 
 
 # -- practice ------------------------------------------------------------------------------------

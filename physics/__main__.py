@@ -2,12 +2,13 @@
 
 import argparse
 import csv
+import os
 import re
 import sys
 from math import hypot, inf
 from typing import NoReturn
 
-from . import scenes, sweep, tables
+from . import commandline, scenes, sweep, tables
 from .batch import NUMBERS
 from .engine import EventBudgetError, EventDriven
 from .log import Event
@@ -17,12 +18,16 @@ from .world import World
 
 LAWS = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM}
 CUSHIONS = ("rigid", "mathavan")  # the game's sets of laws: with balls that rub
+STEP, RATE = 1 / 180, 60.0  # s of fixed steps, samples a second, where nothing is said
+SHORTEST, FINEST = 1e-6, 1e6  # s, and samples a second: beyond, a shot takes hours or terabytes
 WORDS = {"exact": "exact engine", "literal": "the thesis's program", "thesis": "the thesis's step"}
 
 
 def main(argv: list[str] | None = None) -> int:
     """Exit code 0, or 2 with a message where something cannot be."""
     options = parser().parse_args(joined(sys.argv[1:] if argv is None else argv))
+    if wrong := idle(options):
+        return refuse(wrong)
     if options.name not in scenes.SCENES:
         return refuse(f"no scene {options.name!r}: there are {', '.join(scenes.SCENES)}")
     try:
@@ -31,11 +36,11 @@ def main(argv: list[str] | None = None) -> int:
         if options.command == "scene":
             return scene(world, options)
         if options.engine:
-            world.engine = chosen(options.engine, options.dt)
+            world.engine = chosen(options.engine, STEP if options.dt is None else options.dt)
         said = sweep.sweep(world, options)
         print(said, file=sys.stderr)
         return 0
-    except (ValueError, EventBudgetError, ImportError, OSError) as error:
+    except (ValueError, EventBudgetError, ImportError, OSError, MemoryError) as error:
         return refuse(str(error))
     except KeyboardInterrupt:
         return refuse("stopped")
@@ -57,7 +62,28 @@ def refuse(message: str) -> int:
     return 2
 
 
-class Parser(argparse.ArgumentParser):
+def idle(options: argparse.Namespace) -> str:
+    """Say which option would do nothing, or what no computer can do, or ""."""
+    engines = {options.engine, getattr(options, "against", None)} - {None, "exact"}
+    if options.dt is not None and not engines:
+        return f"--dt {options.dt:g}: needs --engine {', '.join(SCHEMES)}"
+    if options.dt is not None and 0.0 < options.dt < SHORTEST:
+        return f"--dt {options.dt:g}: at least {SHORTEST:g} s"
+    if options.command == "scene":
+        if options.against and not options.png:
+            return f"--against {options.against}: needs --png FILE"
+        if options.rate is not None and not options.csv:
+            return f"--rate {options.rate:g}: needs --csv FILE"
+        if options.rate is not None and FINEST < options.rate < inf:
+            return f"--rate {options.rate:g}: at most {FINEST:g}"
+    files = {"csv": options.csv, **{k: vars(options).get(k) for k in ("png", "npz")}}
+    named = [f"--{name} {file}" for name, file in files.items() if file]
+    if len(named) > 1 and len({os.path.realpath(file) for file in files.values() if file}) == 1:
+        return f"{' and '.join(named)}: one file for both"
+    return ""
+
+
+class Parser(commandline.Parser):
     def error(self, message: str) -> NoReturn:
         self.exit(refuse(message))
 
@@ -73,10 +99,10 @@ def parser() -> argparse.ArgumentParser:
         each.add_argument("name", metavar="NAME", help=", ".join(scenes.SCENES))
         each.add_argument("--law", choices=sets, help="cloth and laws of a table; or a cushion")
         each.add_argument("--engine", choices=engines, help="what moves the balls")
-        each.add_argument("--dt", type=float, default=1 / 180, help="s, of fixed steps (1/180)")
+        each.add_argument("--dt", type=float, help="s, of fixed steps (1/180)")
     one.add_argument("--against", choices=engines, help="a second engine, dashed in the picture")
     one.add_argument("--until", type=float, default=inf, help="s; all at rest if not given")
-    one.add_argument("--rate", type=float, default=60.0, help="samples a second of --csv (60)")
+    one.add_argument("--rate", type=float, help="samples a second of --csv (60)")
     one.add_argument("--csv", metavar="FILE", help="write time and x, y of every ball, s and m")
     one.add_argument("--png", metavar="FILE", help="write a picture (needs matplotlib)")
     sweep.add_options(many)
@@ -96,13 +122,14 @@ def set_laws(world: World, name: str | None) -> None:
 def scene(start: World, options: argparse.Namespace) -> int:
     """Play it and write what is wanted."""
     other = start.copy() if options.against else None
-    world = played(start, options.engine, options.dt, options.until)
+    dt = STEP if options.dt is None else options.dt
+    world = played(start, options.engine, dt, options.until)
     report(world, options)
     if options.csv:
-        write(world, options.rate, options.csv)
+        write(world, RATE if options.rate is None else options.rate, options.csv)
     if options.png:
         if other is not None:
-            other = played(other, options.against, options.dt, world.time)
+            other = played(other, options.against, dt, world.time)
         draw(world, other, options)
     return 0
 

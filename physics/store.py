@@ -2,14 +2,13 @@
 
 import json
 import os
-import tempfile
 from dataclasses import dataclass, fields, is_dataclass
 from math import inf
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from . import engine, laws, stepping
+from . import engine, files, laws, stepping
 from .ball import Ball
 from .checks import finite, vector
 from .cloth import Cloth
@@ -62,18 +61,11 @@ def loads(text: str) -> World | Shot:
 
 
 def save(thing: World | Shot, path: str | os.PathLike[str]) -> None:
-    """Write `dumps` to a file, all of it or nothing; OSError where that cannot be."""
-    text, path = dumps(thing), Path(path)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        Path(name).replace(path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
+    """Write `dumps` to a file, all of it or nothing; OSError where that cannot be.
+
+    What is there must be a regular file, or a link to one, which stays a link.
+    """
+    files.replace(path, dumps(thing).encode())
 
 
 def load(path: str | os.PathLike[str]) -> World | Shot:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import csv
+import re
 import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
@@ -26,6 +27,7 @@ MEANING = {
 }
 MOST = 10_000_000  # shots: the outcomes of four balls fill a gigabyte
 PIECE = 200_000  # shots that are made ready at once: 50 MB
+CROWD = 1024  # threads or processes: to start more would take longer than the work
 PATIENCE = 1.0  # s: what is done by then needs no bar
 
 
@@ -57,14 +59,16 @@ def values(text: str) -> list[float]:
             return [low + k * step for k in range(floor(steps + 1e-9) + 1)]
     except (ValueError, ZeroDivisionError):
         pass
-    raise argparse.ArgumentTypeError(f"{text!r} is no number, list 1,2,3 or range FROM:TO:STEP")
+    raise argparse.ArgumentTypeError(f"{text!r:.60} is no number, list 1,2,3 or range FROM:TO:STEP")
 
 
 def count(text: str) -> int:
     """How many workers."""
-    if text.isdecimal() and int(text) > 0:
+    if re.fullmatch(r"\d{1,9}", text) and int(text) > 0:
+        if int(text) > CROWD:
+            raise argparse.ArgumentTypeError(f"{text!r} are too many: at most {CROWD}")
         return int(text)
-    raise argparse.ArgumentTypeError(f"{text!r} is no whole number above zero")
+    raise argparse.ArgumentTypeError(f"{text!r:.60} is no whole number above zero")
 
 
 def sweep(world: World, options: argparse.Namespace) -> str:

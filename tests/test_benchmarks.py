@@ -91,3 +91,27 @@ def test_each_shortcut_that_saves_work_is_seen_to_save_it():
 def test_quick_results_stay_apart_from_those_that_are_kept():
     assert report.options("speed", "", []).out == report.RESULTS
     assert report.options("speed", "", ["--quick"]).out != report.RESULTS
+
+
+@pytest.mark.parametrize(
+    ("said", "why"),
+    [
+        (["speed", "--quick", "--smallest"], "not allowed with"),
+        (["speed", "--out", ""], "--out: must not be empty"),
+        (["speed", "--out", __file__], "not a folder"),
+        (["speed", "--out", "a", "--out", "b"], "--out: is there twice"),
+        (["stress", "--short", "--count", "5"], "not allowed with"),
+        (["stress", "--only", "1", "--count", "5"], "not allowed with"),
+        (["stress", "--count", "0"], "'0' is no whole number from 1 on"),
+        (["stress", "--only", "-1"], "'-1' is no whole number from 0 on"),
+        (["stress", "--write", ""], "--write: must not be empty"),
+        (["stress", "--write", "/nowhere/at/all.md"], "there is no folder /nowhere/at"),
+        (["golden", "--quick"], "--quick"),
+        (["all", "--quick", "--smallest"], "not allowed with"),
+    ],
+)
+def test_options_that_say_nothing_or_contradict_each_other_are_refused(said, why, capsys):
+    with pytest.raises(SystemExit) as left:
+        benchmarks.main(said)
+    assert left.value.code == 2
+    assert why in capsys.readouterr().err.splitlines()[-1]

@@ -6,7 +6,8 @@ from records import OPTIONS, lines, rewritten
 from game import setup
 from game.__main__ import new_game
 from game.actions import Action
-from game.record import Recorder, RecordError, digest, read
+from game.record import RecordError, digest, read
+from game.recorder import Recorder
 from game.replay import headless
 from physics import Cloth, Shot, laws, simulate
 

@@ -3,6 +3,7 @@
 import subprocess
 import sys
 
+import pygame
 import pytest
 from players import an_app, enter, places, press, run_to_rest, write
 
@@ -164,6 +165,14 @@ BROKEN = [
 def test_a_broken_script_is_refused_with_its_line(text, blamed):
     with pytest.raises(script.ScriptError, match=blamed):
         script.parse(text)
+
+
+def test_a_script_from_another_editor_is_read_line_by_line(tmp_path):
+    path = tmp_path / "script.txt"
+    path.write_bytes("\ufeff0 key a\r\n\r\n1 text a\u2028b\x85\r\n".encode())
+    first, second = script.read(str(path)).due(10**9)
+    assert first.events[0].key == pygame.K_a
+    assert "".join(event.text for event in second.events) == "a b"
 
 
 def test_a_script_that_is_no_text_is_refused(tmp_path, capsys):

@@ -12,7 +12,8 @@ from game.actions import Action
 from game.app import App
 from game.fixture import FOUR_BALL, SEATS, Fixture, Seat
 from game.keys import DEFAULTS
-from game.record import Recorder, RecordError, Witness, digest, read
+from game.record import RecordError, Witness, digest, read
+from game.recorder import Recorder
 from game.replay import Replay, headless
 from game.thinker import Thinker
 

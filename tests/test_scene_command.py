@@ -64,6 +64,14 @@ def test_a_picture_has_the_tables_shape(name, tmp_path, capsys):
         (["thesis_1", "--until", "nan"], "nan"),
         (["thesis_1", "--until", "1", "--csv", "/nowhere/paths.csv"], "/nowhere/paths.csv"),
         (["thesis_1", "--csv", "paths.csv", "--rate", "-1"], "trace rate must be above zero"),
+        (["thesis_1", "--csv", "paths.csv", "--rate", "1e9"], "--rate 1e+09: at most 1e+06"),
+        (["thesis_1", "--rate", "9"], "--rate 9: needs --csv FILE"),
+        (["thesis_1", "--against", "thesis"], "--against thesis: needs --png FILE"),
+        (["thesis_1", "--dt", "0.1"], "--dt 0.1: needs --engine thesis, literal"),
+        (["thesis_1", "--engine", "exact", "--dt", "0.1"], "--dt 0.1: needs --engine"),
+        (["thesis_1", "--engine", "thesis", "--dt", "1e-300"], "--dt 1e-300: at least 1e-06 s"),
+        (["thesis_1", "--csv", "a", "--png", "./a"], "--csv a and --png ./a: one file for both"),
+        (["cradle", "--until", "1e15", "--csv", "paths.csv"], "Unable to allocate"),
     ],
 )
 def test_what_cannot_be_is_told_in_a_line_with_exit_code_2(arguments, message, capsys):
@@ -73,7 +81,18 @@ def test_what_cannot_be_is_told_in_a_line_with_exit_code_2(arguments, message, c
     assert told.count("\n") == 1
 
 
-@pytest.mark.parametrize("arguments", [["scene", "thesis_1", "--engine", "verlet"], ["scene"], []])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["scene", "thesis_1", "--engine", "verlet"],
+        ["scene", "thesis_1", "--csv", ""],
+        ["scene", "thesis_1", "--png", " "],
+        ["scene", "thesis_1", "--until", "1", "--until", "2"],
+        ["scene", ""],
+        ["scene"],
+        [],
+    ],
+)
 def test_a_wrong_option_is_told_in_a_line_with_exit_code_2(arguments, capsys):
     with pytest.raises(SystemExit) as end:
         main(arguments)

@@ -110,6 +110,13 @@ def test_a_range_has_both_its_ends():
         (["--speed", "1", "--csv", "/nowhere/at/all.csv"], "/nowhere/at/all.csv"),
         (["--speed", "1", "--engine", "literal"], "never rests"),
         (["--speed", "1", "--climb", "high"], "'high' is no number"),
+        (["--speed", "1", "--dt", "0.1"], "--dt 0.1: needs --engine thesis, literal"),
+        (["--speed", "1", "--ball", ""], "argument --ball: must not be empty: ''"),
+        (["--speed", "1", "--npz", ""], "argument --npz: must not be empty: ''"),
+        (["--speed", "1", "--speed", "2"], "argument --speed: is there twice"),
+        (["--speed", "1", "--csv", "a", "--npz", "./a"], "one file for both"),
+        (["--speed", "1", "--processes", "100000"], "'100000' are too many: at most 1024"),
+        (["--speed", "1", "--threads", "9" * 5000], "no whole number above zero"),
         (["--speed", "1", "--climb", "1", "--engine", "thesis"], "only balls on the table"),
     ],
 )

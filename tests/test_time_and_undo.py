@@ -1,6 +1,7 @@
 """Time back and forth, its speed, and undo: what is shown is what the log knows."""
 
 import random
+from math import inf
 
 import pygame
 import pytest
@@ -21,7 +22,7 @@ from game.actions import Action
 from game.clock import TICKS, VirtualClock
 from game.play import Game
 from game.render import cards, lanes
-from game.setup import table_world
+from game.setup import scene_world, table_world
 
 
 @pytest.fixture
@@ -355,3 +356,40 @@ def test_five_thousand_random_events_neither_crash_the_game_nor_spoil_the_pictur
 @pytest.mark.stress
 def test_a_hundred_thousand_random_events_neither_crash_nor_freeze_the_game():
     play_anything(3, 100_000, 500)
+
+
+def test_a_match_begun_while_balls_roll_leaves_nothing_of_before_to_undo():
+    game = Game(table_world("match"), table="match")
+    game.perform(Action("fire"))
+    game.advance(TICKS // 10)
+    game.perform(Action("match", '{"game":"four-ball"}'))
+    before = game.layout()
+    game.perform(Action("undo"))
+    assert game.layout() == before
+    assert game.notice.key == "undo"
+
+
+def test_the_next_event_of_a_ball_that_only_spins_is_none():
+    game = Game(table_world("medium"))
+    game.perform(Action("set", "speed 0.05 follow 0 side 9 angle 180"))
+    game.perform(Action("fire"))
+    game.advance(5 * TICKS)
+    ball, time = game.world.ball("white"), game.world.time
+    assert (ball.phase, game.world.next_event) == ("resting", inf)
+    assert ball.spin[2] != 0.0
+    game.perform(Action("event", 1))
+    assert game.moving
+    assert game.world.time == time
+
+
+def test_a_shot_without_an_end_is_scrubbed_on_by_five_minutes_at_most():
+    game = Game(scene_world("cradle"), table="cradle")
+    game.perform(Action("scrub", 10**30))
+    assert game.world.time == pytest.approx(300.0, abs=1.0)
+
+
+def test_a_stroke_that_cannot_be_read_is_not_played():
+    game = Game(table_world("medium"))
+    game.perform(Action("play", "0 0 0 0 0"))
+    assert not game.moving
+    assert game.shots == 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from io import BytesIO
 
 import numpy as np
@@ -61,9 +62,10 @@ class Type:
             string = string.rpartition(PART)[0].rstrip()
         if self.width(string, size) <= room:
             return string
-        while string and self.width(string + "…", size) > room:
-            string = string[:-1].rstrip()
-        return string + "…" if string else ""
+        # names may be thousands of characters long
+        starts = range(1, len(string))
+        fits = bisect_right(starts, room, key=lambda n: self.width(string[:n] + "…", size))
+        return string[:fits].rstrip() + "…" if fits else ""
 
     def ascent(self, size: float) -> int:
         """Return how far the baseline lies below the top of a rendered string, px."""

@@ -182,6 +182,7 @@ WORDS = {
     "notice.replay.paused": "Replay paused · P goes on",
     "notice.replay.same": "Replay over · came out the same",
     "notice.replay.differs": "Replay came out differently",
+    "notice.record.cut": "The record ends here: no room",
     "notice.settings.broken": "Settings broken · kept as .broken",
     "notice.settings.unsaved": "Settings cannot be saved",
 }

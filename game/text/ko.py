@@ -182,6 +182,7 @@ WORDS = {
     "notice.replay.paused": "재생 멈춤 · P 계속",
     "notice.replay.same": "재생 끝 · 결과가 같습니다",
     "notice.replay.differs": "재생 결과가 다릅니다",
+    "notice.record.cut": "기록이 여기서 끊겼습니다",
     "notice.settings.broken": "설정 파일이 깨져 .broken으로 보관",
     "notice.settings.unsaved": "설정을 저장할 수 없습니다",
 }

@@ -1,0 +1,32 @@
+"""What every command line here refuses: an option given twice, and one given as nothing."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+
+class Once(argparse.Action):
+    """Keeps an option's value; a second one, an empty one and one with a NUL are refused."""
+
+    given = False
+
+    def __call__(
+        self, parser: argparse.ArgumentParser, found: argparse.Namespace, value: Any, *_: object
+    ) -> None:
+        if self.given:
+            raise argparse.ArgumentError(self, f"is there twice, the second time as {value!r:.60}")
+        if isinstance(value, str) and not value.strip():
+            raise argparse.ArgumentError(self, f"must not be empty: {value!r:.60}")
+        if isinstance(value, str) and "\0" in value:
+            raise argparse.ArgumentError(self, f"must not contain a NUL: {value!r:.60}")
+        self.given = True
+        setattr(found, self.dest, value)
+
+
+class Parser(argparse.ArgumentParser):
+    """A command line on which every option with a value is there once, and says something."""
+
+    def __init__(self, *arguments: Any, **more: Any) -> None:
+        super().__init__(*arguments, **more)
+        self.register("action", None, Once)  # what an option does that says nothing of it
