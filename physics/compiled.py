@@ -11,7 +11,7 @@ import os
 import shutil
 from contextlib import suppress
 from functools import cache, partial
-from math import exp, inf, sqrt
+from math import inf, sqrt
 from pathlib import Path
 from threading import Lock
 from types import ModuleType
@@ -69,8 +69,8 @@ def _subset() -> ModuleType:
 
     subset = ModuleType(f"{NAME}.subset")
     vars(subset).update(
-        kernel=kernel, whole=whole,
-        inf=inf, sqrt=sqrt, exp=exp, complex=complex, room=kernel(lambda ties, contacts: None),
+        kernel=kernel, elementary=kernel, whole=whole,
+        inf=inf, sqrt=sqrt, complex=complex, room=kernel(lambda ties, contacts: None),
         foreign_cushion=kernel(lambda v, roll, side, rule: (v, roll, side)),
         foreign_ball=kernel(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
     )  # fmt: skip
@@ -118,6 +118,7 @@ def _play_nothing(package: ModuleType) -> None:
     collects = gc.isenabled()
     gc.disable()
     try:
+        package.elementary.directions(np.empty(0), np.empty(0, complex))
         package.calendar.many(
             np.empty((0, 1, 9)), np.empty((0, 1, 2)), np.empty(0), np.empty(0, np.int64), 0,
             _packed(still, package.body),

@@ -2,7 +2,7 @@
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from math import sqrt
+from math import fsum, sqrt
 from typing import Any, NamedTuple, overload
 
 from .checks import finite
@@ -158,7 +158,7 @@ class Log(Sequence[Event]):
         """Contacts (ball, ball, impulse) of one instant among the members; new legs have begun."""
         last = tuple((m, len(self._legs[m]) - 1) for m in members)
         legs = dict(last)
-        whole = sum(push for _, _, push in pairs)
+        whole = fsum(push for _, _, push in pairs)
         for i, j, push in pairs:
             shared = (push, push / whole, last)
             self._events.append((epoch, time, PAIR, j, i, legs[i], j, legs[j], shared))
@@ -304,7 +304,9 @@ class Log(Sequence[Event]):
         impulse = 0.0 if what in ("roll", "rest", "off") else self._masses[i] * _kick(*first)
         if shared is not None:
             impulse, share, members = shared
-            lost = share * sum(self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members)
+            lost = share * fsum(
+                self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members
+            )
         return Event(
             epoch + time, what, names, wall, (point.real, point.imag),
             tuple(turn[0].state() for turn in turns), tuple(turn[1].state() for turn in turns),
