@@ -115,6 +115,10 @@ def kernel() -> ModuleType:
 
 @cache
 def _kernel() -> ModuleType:
+    from numba.core import config
+
+    if config.DISABLE_JIT:
+        raise ImportError("NUMBA_DISABLE_JIT is set: there is no compiled kernel")
     wanted = cache_folder()
     folder = _opened(wanted) if wanted else None
     if folder is None:

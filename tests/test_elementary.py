@@ -2,7 +2,7 @@
 
 import random
 from fractions import Fraction
-from math import copysign, inf, isnan, log, nan, sqrt, ulp
+from math import copysign, fmod, inf, isnan, log, nan, sqrt, ulp
 
 import fifty
 import mpmath
@@ -19,13 +19,13 @@ CHANCE = random.Random(2007)
 MULTIPLES = [15.0 * k for k in range(-120, 121)]
 ANGLES = [
     *MULTIPLES,
-    *(x + CHANCE.gauss(0.0, 1.0) * 10.0 ** CHANCE.uniform(-16, -1) for x in MULTIPLES * 10),
-    *(CHANCE.uniform(-720.0, 720.0) for _ in range(10_000)),
-    *(CHANCE.gauss(0.0, 1.0) * 10.0 ** CHANCE.uniform(-323, 300) for _ in range(2_000)),
+    *(x + CHANCE.gauss(0.0, 1.0) * 10.0 ** CHANCE.uniform(-16, -1) for x in MULTIPLES * 3),
+    *(CHANCE.uniform(-720.0, 720.0) for _ in range(2_000)),
+    *(CHANCE.gauss(0.0, 1.0) * 10.0 ** CHANCE.uniform(-323, 300) for _ in range(500)),
     5e-324, 1e-309, 1e-9, 1e22, 1.7976931348623157e308,
 ]  # fmt: skip
 POWERS = [
-    *(CHANCE.uniform(-12.0, 0.0) for _ in range(4_000)),
+    *(CHANCE.uniform(-12.0, 0.0) for _ in range(2_000)),
     *(CHANCE.uniform(-746.0, 709.7) for _ in range(4_000)),
     *((k + 0.5) * log(2.0) * (1.0 + CHANCE.gauss(0.0, 1e-15)) for k in range(-1074, 1023)),
     *(CHANCE.gauss(0.0, 1.0) * 10.0 ** CHANCE.uniform(-320, 0) for _ in range(2_000)),
@@ -39,9 +39,8 @@ def units(found, exact):
 
 
 def turned(degrees):
-    """The exact direction: folded into a turn first, of which no float has too many digits."""
-    with mpmath.workdps(400):
-        return mpmath.expjpi(mpmath.fmod(mpmath.mpf(degrees), 360) / 180)
+    """The exact direction, folded into a turn first, which rounds nothing."""
+    return mpmath.expjpi(mpmath.mpf(fmod(degrees, 360.0)) / 180)
 
 
 def test_sine_and_cosine_are_within_a_unit_in_the_last_place():
@@ -146,7 +145,7 @@ def test_dual_numbers_take_their_slopes_along(x):
 
 
 def test_a_heading_is_the_inverse_of_a_direction():
-    vectors = [complex(CHANCE.gauss(0, 1), CHANCE.gauss(0, 1)) for _ in range(3_000)]
+    vectors = [complex(CHANCE.gauss(0, 1), CHANCE.gauss(0, 1)) for _ in range(1_000)]
     vectors += [complex(z.real, z.imag * 10.0 ** CHANCE.uniform(-150, 0)) for z in vectors]
     for z in vectors:
         assert units(heading(z), mpmath.degrees(mpmath.arg(mpmath.mpc(z)))) < 3.0  # 1.9 in 2e5

@@ -175,6 +175,14 @@ def test_broken_code_is_thrown_away_and_made_again(kind, left, source, home, cap
     assert kernel(caplog)[1] == []
 
 
+def test_numba_told_to_compile_nothing_says_so_and_loses_nothing(source, home, monkeypatch, caplog):
+    kernel(caplog)
+    monkeypatch.setattr(config, "DISABLE_JIT", 1)
+    with pytest.raises(ImportError, match="DISABLE_JIT"):
+        compiled._kernel.__wrapped__()
+    assert len(code(home)) == 4
+
+
 def test_what_the_user_has_told_numba_is_as_before(source, home, monkeypatch, caplog):
     for told in ("", str(home / "numba")):
         monkeypatch.setattr(config, "CACHE_DIR", told)
@@ -232,10 +240,11 @@ def test_two_processes_that_compile_at_once_do_not_disturb_each_other(tmp_path):
 
 @pytest.mark.stress
 @pytest.mark.skipif(not hasattr(os, "setuid") or os.getuid() != 0, reason="needs another user")
-def test_a_user_whom_the_system_does_not_know_plays_many_shots(tmp_path):
+def test_a_user_whom_the_system_does_not_know_plays_many_shots():
     code = (
-        "import os, numba.core.registry, numpy as np\n"
+        "import os, numba\n"
         "from physics import scenes, simulate_many\n"
+        "numba.njit(lambda x: x * 1j)(1.0)  # loads what that user may not be able to read\n"
         "os.setgid(12345), os.setuid(12345)\n"
         "print(simulate_many(scenes.carom(), 'white', [[3.0, 10.0, 0, 0, 0]] * 5000).times[0])\n"
     )
