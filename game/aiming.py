@@ -6,10 +6,11 @@ keeps the tip point, and so moves the spins along with the speed; the tip keeps 
 
 from __future__ import annotations
 
-from cmath import phase
 from collections.abc import Callable
 from math import degrees
 from typing import TYPE_CHECKING
+
+from physics import heading
 
 from . import thickness
 from .aim import BOXES, MOST
@@ -159,7 +160,7 @@ def take_over(game: Game) -> None:
     if v:
         wx, wy, wz = (w * ball.radius for w in ball.spin)
         spin = complex(wx, wy) * abs(v) / v
-        numbers = (abs(v), spin.imag, spin.real, wz, degrees(phase(v)))
+        numbers = (abs(v), spin.imag, spin.real, wz, heading(v))
         game.aim.put(3, **dict(zip(BOXES, numbers, strict=True)))
     game.aim.spent()
     game.shown_shot = True

@@ -7,8 +7,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import atan2, degrees, dist
+from math import dist
 from typing import TYPE_CHECKING, NamedTuple
+
+from physics import heading
 
 from .aim import plain
 from .fixture import FREE, HUMAN, SKILLS, START, Fixture
@@ -117,7 +119,7 @@ class Contest:
         x, y = own = balls[self.match.cue]
         names = self.match.rules.targets(self.match.turn)[: 1 if self.match.opening else None]
         to = min((balls[name] for name in names), key=lambda at: dist(at, own))
-        return plain(degrees(atan2(to[1] - y, to[0] - x)))
+        return plain(heading(complex(to[0] - x, to[1] - y)))
 
     # -- going back ----------------------------------------------------------------------------
 

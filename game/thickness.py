@@ -5,11 +5,10 @@ The cue ball may run in a curve or come off a cushion, so the angle is found by 
 
 from __future__ import annotations
 
-from cmath import phase
 from dataclasses import replace
-from math import asin, ceil, copysign, degrees, floor, radians
+from math import ceil, copysign, floor, radians, sqrt
 
-from physics import Shot, World
+from physics import Shot, World, heading
 
 from .preview import Contact, Preview, preview
 
@@ -70,4 +69,5 @@ def _straight(world: World, cue: str, contact: Contact, eighths: int) -> float:
     own, other = world.ball(cue), world.ball(contact.ball)
     line = complex(*other.position) - complex(*own.position)
     past = eighths / EIGHTHS * (own.radius + other.radius)
-    return degrees(phase(line) - asin(past / abs(line)))
+    ahead = sqrt(line.real * line.real + line.imag * line.imag - past * past)
+    return heading(line * complex(ahead, -past))

@@ -9,10 +9,10 @@ as seen along the cue, gives (docs/physics.md, "Cue", along the ball's own cours
 
 from __future__ import annotations
 
-from math import atan2, cos, degrees, hypot, radians, tan
+from math import hypot
 from typing import NamedTuple
 
-from physics import CueStroke, Shot
+from physics import CueStroke, Shot, direction, heading
 
 LEVER = 2.5
 """Surface speed over speed for a tip one radius off the centre: F r = (2/5) m R² ω."""
@@ -49,10 +49,10 @@ class Tip(NamedTuple):
 
     def spins(self, speed: float) -> dict[str, float]:
         """The three spins that this gives a ball of that speed, m/s, by the names of the boxes."""
-        lever, steep = LEVER * speed, radians(self.elevation or 0.0)
+        lever, cue = LEVER * speed, direction(self.elevation or 0.0)
         return {
-            "follow": lever * self.up / cos(steep),
-            "masse": lever * self.right * tan(steep),
+            "follow": lever * self.up / cue.real,
+            "masse": lever * self.right * cue.imag / cue.real,
             "side": lever * self.right,
         }
 
@@ -64,7 +64,7 @@ def tip_of(shot: Shot) -> Tip:
     if shot.masse == 0.0:
         return Tip(right, up)
     sign = 1.0 if shot.side >= 0.0 else -1.0
-    elevation = degrees(atan2(shot.masse * sign, shot.side * sign))
+    elevation = heading(complex(shot.side * sign, shot.masse * sign))
     if not 0.0 < elevation <= STEEPEST:
         return Tip(right, up, None)
-    return Tip(right, up * cos(radians(elevation)), elevation)
+    return Tip(right, up * direction(elevation).real, elevation)

@@ -7,7 +7,7 @@ from .ball import Ball
 from .cloth import Cloth
 from .engine import ContactError, EventBudgetError, EventDriven
 from .log import Contact, Event, Leg, Log, State
-from .shot import Shot
+from .shot import Shot, direction, heading
 from .trace import heights, trace
 from .wall import Wall
 from .world import World, simulate
@@ -42,7 +42,8 @@ def __getattr__(name: str) -> Any:
 
 __all__ = [
     "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning", "Event",
-    "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Recovered", "Sensitivity", "Shot", "State",
-    "TimeStepping", "Wall", "World", "heights", "laws", "ledger", "recover", "scenes",
-    "sensitivity", "simulate", "simulate_many", "store", "tables", "trace",
+    "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Recovered", "Sensitivity",
+    "Shot", "State", "TimeStepping", "Wall", "World", "direction", "heading", "heights", "laws",
+    "ledger", "recover", "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables",
+    "trace",
 ]  # fmt: skip

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from .ball import Ball
 from .checks import LARGEST, array
 from .engine import EventDriven
-from .kernel import body, calendar
+from .kernel import body, calendar, elementary
 from .laws import ForeignRule
-from .shot import Shot, direction
+from .shot import Shot
 from .world import World, simulate
 
 if TYPE_CHECKING:
@@ -167,10 +167,7 @@ class Job(NamedTuple):
 
         starts = np.tile(self.before, (len(table), 1, 1))
         speed, angle, follow, masse, side = table.T[:5]
-        # one by one: numpy's own sine may differ in the last digit from the one that Shot uses; but
-        # each once, as a sweep has the same angles over and over
-        angles, which = np.unique(angle, return_inverse=True)
-        d = np.array([direction(a) for a in angles.tolist()], complex)[which]
+        d = self._directions(angle)
         mine = starts[:, self.struck]
         mine[:, 2], mine[:, 3] = speed * d.real, speed * d.imag
         mine[:, 4] = follow * d.real + masse * d.imag
@@ -178,6 +175,18 @@ class Job(NamedTuple):
         mine[:, 6] = side
         mine[:, 8] = table[:, 5] if table.shape[1] == 6 else 0.0
         return starts
+
+    def _directions(self, angle: Any) -> Any:
+        import numpy as np
+
+        d = np.empty(len(angle), complex)
+        if self.compiled:
+            from .compiled import kernel
+
+            kernel().elementary.directions(angle.copy(), d)
+        else:
+            elementary.directions(angle.tolist(), d)
+        return d
 
     def _compiled(self, starts: Any) -> tuple[Any, Any, Any]:
         import numpy as np

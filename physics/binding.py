@@ -22,6 +22,6 @@ def load(name: str, subset: ModuleType) -> ModuleType:
     sys.modules[name] = package
     sys.modules[f"{name}.subset"] = subset
     spec.loader.exec_module(package)
-    for module in ("body", "calendar"):
+    for module in ("body", "calendar", "elementary"):
         importlib.import_module(f"{name}.{module}")
     return package

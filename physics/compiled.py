@@ -1,7 +1,8 @@
 """The kernel compiled by numba, from the same source, beside the interpreted one in one process.
 
 numba's cache does not see that another file has changed, nor what it was asked for: so the cache
-folder carries a hash of all that decides on the code, and of where and how old the kernel is.
+folder carries a hash of all that decides on the code, and of where and how old the kernel is. Where
+no such folder can be written to, nothing is kept, least of all beside the source.
 """
 
 import gc
@@ -11,8 +12,9 @@ import os
 import shutil
 from contextlib import suppress
 from functools import cache, partial
-from math import exp, inf, sqrt
+from math import inf, sqrt
 from pathlib import Path
+from tempfile import TemporaryFile
 from threading import Lock
 from types import ModuleType
 from typing import Any
@@ -30,34 +32,54 @@ BINDING = Path(__file__), Path(binding.__file__)
 DONE = "*/*.many-*.nbi"  # what numba writes when it has compiled
 
 
-def cache_folder() -> Path:
-    """Where the compiled kernel is kept: in the user's cache folder, by the hash of its sources.
+def cache_folder() -> Path | None:
+    """Where the compiled kernel is kept: in the user's cache folder, by the hash of its sources;
+    None for a user without such a folder.
 
     Of this file and the binding too, in which flags and stubs are; and of where and how old the
     kernel's are, by which numba goes: so no folder has code of another kernel.
     """
     import numba
 
+    home = _caches()
+    if home is None:
+        return None
     paths = sorted(FOLDER.glob("*.py"))
     sources = b"".join(path.read_bytes() for path in (*paths, *BINDING))
     checks = numba.core.config.BOUNDSCHECK
     place = f"{numba.__version__} {checks} {FOLDER} {[path.stat().st_mtime_ns for path in paths]}"
     key = hashlib.sha256(sources + place.encode()).hexdigest()[:16]
-    home = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    return Path(home) / "danggu" / f"kernel-{key}"
+    return home / "danggu" / f"kernel-{key}"
+
+
+def _caches() -> Path | None:
+    """Where the user's programs keep what they can do without: as numba or the system is told, or
+    in the home, if there is one."""
+    from numba.core import config
+
+    if config.CACHE_DIR:
+        return Path(config.CACHE_DIR).absolute()
+    told = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    if told.is_absolute():  # a relative one is to be ignored, says its specification
+        return told
+    with suppress(RuntimeError):  # a user without name or home
+        home = Path.home()
+        if home.is_absolute() and os.path.isdir(home):
+            return home / ".cache"
+    return None
 
 
 def _no_door(function: Any, *_: Any) -> None:
     raise TypeError(f"only compiled code can call {function.__name__}; physics.kernel has it too")
 
 
-def _subset() -> ModuleType:
+def _subset(folder: Path | None) -> ModuleType:
+    """What the kernel is written in, for numba; what is compiled is kept in the folder, if any."""
     from numba import njit
     from numba.core.registry import CPUDispatcher
 
     # nothing here allocates, so nothing need count references, of which a scene has many
     bare = partial(njit, nogil=True, error_model="numpy", _nrt=False, no_cfunc_wrapper=True)
-    whole = bare(cache=True, inline="always")
 
     inner = type("Inner", (CPUDispatcher,), {"__call__": _no_door})  # which would crash
 
@@ -67,10 +89,18 @@ def _subset() -> ModuleType:
         compiled.__class__ = inner
         return compiled
 
+    def whole(function: Any) -> Any:
+        compiled = bare(function, cache=folder is not None, inline="always")
+        where = compiled.stats.cache_path
+        if folder is not None and folder not in Path(where).parents:
+            # beside the source, say, where an edit of another file would not be noticed
+            raise OSError(f"numba would keep it in {where}")
+        return compiled
+
     subset = ModuleType(f"{NAME}.subset")
     vars(subset).update(
-        kernel=kernel, whole=whole,
-        inf=inf, sqrt=sqrt, exp=exp, complex=complex, room=kernel(lambda ties, contacts: None),
+        kernel=kernel, elementary=kernel, whole=whole,
+        inf=inf, sqrt=sqrt, complex=complex, room=kernel(lambda ties, contacts: None),
         foreign_cushion=kernel(lambda v, roll, side, rule: (v, roll, side)),
         foreign_ball=kernel(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
     )  # fmt: skip
@@ -87,17 +117,50 @@ def kernel() -> ModuleType:
 def _kernel() -> ModuleType:
     from numba.core import config
 
-    folder, before = cache_folder(), config.CACHE_DIR
+    if config.DISABLE_JIT:
+        raise ImportError("NUMBA_DISABLE_JIT is set: there is no compiled kernel")
+    wanted = cache_folder()
+    folder = _opened(wanted) if wanted else None
+    if folder is None:
+        log.warning(
+            "compiling the kernel for this process alone, which takes about 10 seconds: %s",
+            f"cannot write to {wanted}" if wanted else "there is no home to keep it in",
+        )
+        return _built(None)
     if not any(folder.glob(DONE)):
         log.warning("compiling the kernel for %s, this once: it takes about 10 seconds", folder)
-    with suppress(OSError):
-        folder.mkdir(parents=True)
-        _forget(folder)
+    try:
+        return _built(folder)
+    except Exception as error:  # broken files may raise anything, a full disk an OSError
+        log.warning("compiling the kernel for this process alone: %s cannot keep it: %r",
+                    folder, error)  # fmt: skip
+        shutil.rmtree(folder, ignore_errors=True)  # the next process begins afresh
+        return _built(None)
+
+
+def _opened(folder: Path) -> Path | None:
+    """The folder, made if need be and marked as used; None if it cannot be written to."""
+    new = not os.path.isdir(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        TemporaryFile(dir=folder).close()
+    except OSError:
+        return None
     with suppress(OSError):
         os.utime(folder)  # its age is the time since its last use
-    config.CACHE_DIR = str(folder)
+        if new:
+            _forget(folder)
+    return folder
+
+
+def _built(folder: Path | None) -> ModuleType:
+    """The package, from the folder or compiled into it; compiled for this process if None."""
+    from numba.core import config
+
+    before = config.CACHE_DIR
+    config.CACHE_DIR = str(folder or "")
     try:
-        package = load(NAME, _subset())
+        package = load(NAME, _subset(folder))
     finally:
         config.CACHE_DIR = before
     _play_nothing(package)
@@ -118,6 +181,7 @@ def _play_nothing(package: ModuleType) -> None:
     collects = gc.isenabled()
     gc.disable()
     try:
+        package.elementary.directions(np.empty(0), np.empty(0, complex))
         package.calendar.many(
             np.empty((0, 1, 9)), np.empty((0, 1, 2)), np.empty(0), np.empty(0, np.int64), 0,
             _packed(still, package.body),

@@ -1,12 +1,11 @@
 """The cue: where and how fast the tip meets the ball, and the shot that comes of it."""
 
-from cmath import rect
 from dataclasses import dataclass, replace
-from math import atan, cos, degrees, hypot, radians, sin, sqrt
+from math import fsum, sqrt
 from typing import Protocol
 
 from .checks import finite, keep, nonnegative, positive
-from .shot import Shot
+from .shot import Shot, direction, heading
 
 
 class Heavy(Protocol):
@@ -48,7 +47,7 @@ class CueStroke:
             raise ValueError(f"CueStroke.elevation must be below 90°, not {self.elevation!r}")
         if self.restitution > 1.0:
             raise ValueError(f"CueStroke.restitution must be at most 1, not {self.restitution!r}")
-        if hypot(self.side, self.height) >= 1.0:
+        if 1.0 - self.side * self.side - self.height * self.height <= 0.0:
             raise ValueError(
                 f"CueStroke.side and height, {self.side!r} and {self.height!r}, miss the ball"
             )
@@ -64,13 +63,18 @@ class CueStroke:
         """The impulse's lever arm, in radii: about the cue's course, its left and the vertical."""
         a, b = self.side, self.height
         back = sqrt(1.0 - a * a - b * b)
-        up, along = sin(radians(self.elevation)), cos(radians(self.elevation))
-        return a * up, b * along - back * up, a * along
+        cue = direction(self.elevation)
+        return a * cue.imag, b * cue.real - back * cue.imag, a * cue.real
+
+    @property
+    def _square(self) -> float:
+        # from Python 3.12 on, `sum` rounds otherwise
+        return fsum(arm * arm for arm in self.lever)
 
     @property
     def offset(self) -> float:
         """How far from the ball's centre the cue's line passes, in radii."""
-        return hypot(*self.lever)
+        return sqrt(self._square)
 
     @property
     def limit(self) -> float:
@@ -85,21 +89,19 @@ class CueStroke:
         """
         x = self.side
         level = 1.0 - x * x
-        return degrees(atan(2.5 * x * sqrt(level) / (1.0 + self.end_ratio + 2.5 * level)))
+        return heading(complex(1.0 + self.end_ratio + 2.5 * level, 2.5 * x * sqrt(level)))
 
     def jump(self, ball: Heavy) -> Shot:
         """The same with what `shot` leaves out: the cue drives the ball into the cloth.
 
         It bounces off at once, by the cloth's `bounce`, and flies.
         """
-        return replace(
-            self.shot(ball), climb=-self._kick(ball) * sin(radians(self.elevation))
-        )
+        return replace(self.shot(ball), climb=-self._kick(ball) * direction(self.elevation).imag)
 
     def _kick(self, ball: Heavy) -> float:
         """The speed along the cue that the ball gets, m/s."""
         return (1.0 + self.restitution) * self.speed / (
-            1.0 + ball.mass / self.cue_mass + 2.5 * sum(arm * arm for arm in self.lever)
+            1.0 + ball.mass / self.cue_mass + 2.5 * self._square
         )
 
     def shot(self, ball: Heavy) -> Shot:
@@ -107,9 +109,9 @@ class CueStroke:
         course, left, vertical = self.lever
         kick = self._kick(ball)
         # the spin is about the cue's axes, a Shot's about the ball's own course
-        turned = complex(left, -course) * rect(1.0, -radians(self.squirt))
+        turned = complex(left, -course) * direction(self.squirt).conjugate()
         return Shot(
-            speed=kick * cos(radians(self.elevation)),
+            speed=kick * direction(self.elevation).real,
             angle=self.angle + self.squirt,
             follow=2.5 * kick * turned.real,
             masse=-2.5 * kick * turned.imag,

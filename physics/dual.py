@@ -13,9 +13,14 @@ from types import ModuleType
 from typing import Any
 
 from .binding import load
+from .kernel import elementary
 from .kernel import subset as plain
 
 NAME = "physics.dual_kernel"
+SLOPES: dict[str, Callable[[float, Any], Any]] = {  # of the elementary functions, at x and f(x)
+    "direction": lambda x, y: 1j * elementary.RADIANS * y,
+    "exp": lambda x, y: y,
+}
 STEP = 1e-3  # of the size of its arguments: how far apart a foreign law is probed
 
 
@@ -119,7 +124,7 @@ def slope(x: Any) -> Any:
     return np.zeros(5)
 
 
-def smooth(function: Callable[[float], float], derivative: Callable[[float, float], float]) -> Any:
+def smooth(function: Callable[[float], Any], derivative: Callable[[float, Any], Any]) -> Any:
     """A function of the kernel's subset, of plain and of dual numbers; derivative(x, f(x))."""
 
     def extended(x: Any) -> Any:
@@ -178,7 +183,7 @@ def kernel() -> ModuleType:
     vars(subset).update(
         # no slope where a length is zero: there only its value may matter
         sqrt=smooth(math.sqrt, lambda x, y: 0.5 / y if y > 0.0 else math.nan),
-        exp=smooth(math.exp, lambda x, y: y),
+        elementary=lambda function: smooth(function, SLOPES[function.__name__]),
         complex=complex_number,
         foreign_cushion=_foreign_cushion,
         foreign_ball=_foreign_ball,

@@ -8,7 +8,7 @@ import csv
 import os
 from collections.abc import Iterator
 from itertools import groupby
-from math import hypot
+from math import fsum, sqrt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -140,7 +140,7 @@ class _Book:
 
     def energy(self) -> float:
         """Of all balls, now."""
-        return sum(
+        return fsum(
             legs[k].after(max(0.0, self.time - legs[k].time)).energy(mass)
             for legs, k, mass in zip(self.legs, self.at, self.log.masses, strict=True)
         )
@@ -150,7 +150,7 @@ class _Book:
         cloth = self.charge(events[0].time)
         for i, k in begun:
             self.at[i] = k
-        to_come = sum(event.energy_lost for event in events)
+        to_come = fsum(event.energy_lost for event in events)
         after = self.energy()
         for event in events:
             to_come -= event.energy_lost
@@ -181,4 +181,5 @@ def _entry(event: Event, cloth: float, energy: float) -> Entry:
 
 
 def _speed(state: State) -> float:
-    return hypot(*state.velocity, state.climb)
+    x, y = state.velocity
+    return sqrt(x * x + y * y + state.climb * state.climb)

@@ -94,7 +94,7 @@ def per_second(dt: float) -> float:
 
 def travel(ball: Any, dt: float) -> None:
     """A substep of the motion."""
-    ball.position += ball.velocity * dt + 0.5 * ball.acceleration * dt**2
+    ball.position += ball.velocity * dt + 0.5 * ball.acceleration * (dt * dt)
     ball.velocity += ball.acceleration * dt
 
 
@@ -103,7 +103,7 @@ def forces(
 ) -> tuple[complex, complex, float]:
     """Acceleration, and angular acceleration about the horizontal and about the vertical."""
     v, r, m = ball.velocity, ball.radius, ball.mass
-    inertia = 2 * (m * r**2) / 5
+    inertia = 2 * (m * (r * r)) / 5
     a = alpha = 0j
     slip = v + 1j * r * w
     size = length(slip)
@@ -142,7 +142,7 @@ def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
         impulse = rub * (-1 * (slip / size))
         ball.velocity += impulse / m
         lever = -1 * r * LEVEL * normal
-        wz += (lever.conjugate() * impulse).imag / (2 * (m * r**2) / 5)
+        wz += (lever.conjugate() * impulse).imag / (2 * (m * (r * r)) / 5)
     ball.position += WALL_NUDGE * ball.velocity * dt
     leave(world, time, i, w, wz)
     note(world, time, CUSHION, i, n)

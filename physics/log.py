@@ -2,7 +2,7 @@
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from math import inf, sqrt
+from math import fsum, inf, sqrt
 from typing import Any, NamedTuple, overload
 
 from .away import Departures
@@ -172,7 +172,7 @@ class Log(Sequence[Event]):
         have begun.  Of contacts that last, also how fast each was asked to part."""
         last = tuple((m, len(self._legs[m]) - 1) for m in members)
         legs = dict(last)
-        whole = sum(push for _, _, push in pairs)
+        whole = fsum(push for _, _, push in pairs)
         for i, j, push in pairs:
             shared = (push, push / whole, last, asked)
             if j <= WALL:
@@ -329,7 +329,9 @@ class Log(Sequence[Event]):
         if shared is not None:
             push, share, members, _ = shared
             impulse = push
-            lost = share * sum(self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members)
+            lost = share * fsum(
+                self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members
+            )
         return Event(
             epoch + time, what, names, wall, (point.real, point.imag),
             tuple(turn[0].state() for turn in turns), tuple(turn[1].state() for turn in turns),

@@ -102,7 +102,7 @@ def pi_collisions(digits: int = 3) -> World:
     world.engine = EventDriven(vmin=0.0, budget=4 * 10**digits)
     world.add(Wall.line(1.0, 0.0, 0.0, "wall"))
     world.add(Ball("light", at=(0.5, 0.0), mass=1.0))
-    world.add(Ball("heavy", at=(1.0, 0.0), mass=100.0 ** (digits - 1), velocity=(-1.0, 0.0)))
+    world.add(Ball("heavy", at=(1.0, 0.0), mass=float(100 ** (digits - 1)), velocity=(-1.0, 0.0)))
     return world
 
 

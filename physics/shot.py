@@ -1,18 +1,36 @@
 """A shot: the five numbers that the thesis's boxes ask for, and one for balls that jump."""
 
-from cmath import rect
 from dataclasses import dataclass
-from math import radians
+from math import copysign
 
 from .checks import finite, keep, positive
-
-QUARTERS = (1 + 0j, 1j, -1 + 0j, -1j)
+from .kernel import elementary
 
 
 def direction(degrees: float) -> complex:
-    """The unit vector at an angle; exact at whole quarters of a turn."""
-    quarters, rest = divmod(degrees, 90.0)
-    return QUARTERS[int(quarters) % 4] * rect(1.0, radians(rest))
+    """The unit vector at an angle in degrees: the same bits on every machine, within one unit in
+    the last place, and of exact symmetry; NaN for an angle that is not finite."""
+    vector: complex = elementary.direction(degrees)
+    return vector
+
+
+def heading(vector: complex) -> float:
+    """The angle at which a vector points, degrees from -180 to 180, 0 for none: the inverse of
+    `direction`, within three units in the last place for lengths of 1e-150 to 1e150."""
+    along, across = abs(vector.real), abs(vector.imag)
+    steep = across > along
+    if steep:
+        along, across = across, along
+    if along == 0.0:
+        return 0.0
+    slope = across / along
+    guess = slope * (60.6 - 15.6 * slope)  # a quarter of a degree off at most: exact at 0 and 45
+    near = direction(guess)
+    off = (across * near.real - along * near.imag) / (along * near.real + across * near.imag)
+    square = off * off
+    angle = guess + off * (1.0 - square * (1.0 / 3.0 - 0.2 * square)) / elementary.RADIANS
+    angle = 90.0 - angle if steep else angle
+    return copysign(180.0 - angle if vector.real < 0.0 else angle, vector.imag)
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +60,13 @@ class Shot:
 
     def velocity(self) -> complex:
         """m/s, in the plane of the table."""
-        return self.speed * direction(self.angle)
+        return self.motion()[0]
 
     def roll(self) -> complex:
         """The velocity at which the ball would roll with this spin, -i R ω, m/s."""
-        return complex(self.follow, -self.masse) * direction(self.angle)
+        return self.motion()[1]
+
+    def motion(self) -> tuple[complex, complex]:
+        """(velocity, roll)."""
+        along = direction(self.angle)
+        return self.speed * along, complex(self.follow, -self.masse) * along

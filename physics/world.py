@@ -247,7 +247,7 @@ class World:
         ball = self.ball(ball)
         ball.climb = shot.climb
         body = ball.disturb()
-        body.velocity, body.roll, body.side = shot.velocity(), shot.roll(), shot.side
+        (body.velocity, body.roll), body.side = shot.motion(), shot.side
 
     def stop(self) -> None:
         """All balls stop where they are; from the air they fall."""

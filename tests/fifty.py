@@ -14,6 +14,12 @@ from physics.kernel.subset import room
 DIGITS = 50
 
 
+ELEMENTARY = {
+    "direction": lambda degrees: mpmath.expjpi(exact(degrees) / 180),
+    "exp": mpmath.exp,
+}
+
+
 def _foreign(*_: Any) -> Any:
     raise NotImplementedError("laws from outside are not run in 50 digits")
 
@@ -24,7 +30,8 @@ def kernel() -> ModuleType:
     mpmath.mp.dps = DIGITS
     subset = ModuleType("physics.fifty_digit_kernel.subset")
     vars(subset).update(
-        kernel=lambda function: function, inf=mpmath.inf, sqrt=mpmath.sqrt, exp=mpmath.exp,
+        kernel=lambda function: function, inf=mpmath.inf, sqrt=mpmath.sqrt,
+        elementary=lambda function: ELEMENTARY[function.__name__],
         complex=mpmath.mpc, foreign_ball=_foreign, foreign_cushion=_foreign,
         whole=lambda function: function, room=room,
     )  # fmt: skip

@@ -126,3 +126,20 @@ def test_import_physics_needs_neither_numpy_nor_pygame():
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
     )
     assert out.stdout.strip() == "[]"
+
+
+def test_nothing_that_makes_a_shot_rounds_as_a_c_library_or_a_processor_likes():
+    alike = {"ceil", "copysign", "floor", "fsum", "inf", "isfinite", "ldexp", "nan", "pi", "prod",
+             "sqrt"}  # fmt: skip
+    compares = {"__main__.py", "places.py", "watch.py"}  # with a slack, or shows
+    analyses = {"plot.py", "recovery.py", "slopes.py"}
+    for path in (ROOT / "physics").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.ImportFrom) and node.module == "math":
+                names = {alias.name for alias in node.names}
+                assert names <= alike | ({"hypot"} if path.name in compares else set()), path
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                assert node.func.id != "sum", f"{path}: not the same before Python 3.12 and after"
+            if isinstance(node, ast.BinOp) and path.name not in analyses:
+                assert not isinstance(node.op, ast.MatMult), f"{path}: each processor has its order"
+        assert "cmath" not in imported(path)

@@ -3,6 +3,7 @@
 from cmath import phase
 from math import cos, degrees, pi, sin, sqrt
 
+import mpmath
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -164,6 +165,14 @@ def test_the_damping_makes_a_lone_contact_part_as_its_restitution_says(e):
     assert (v[1] - v[0]).real == pytest.approx(e, abs=1e-7)
     assert v[2] == 0j  # it touches, but across the push
     assert damping(1.0) == 0.0
+
+
+@pytest.mark.parametrize("e", [0.01, 0.3, 0.9, 0.999, 1.0 - 1e-6, 1.0 - 1e-12])
+def test_the_damping_is_a_root_to_all_digits_of_the_restitution(e):
+    with mpmath.workdps(60):
+        e = mpmath.mpf(e)
+        u = mpmath.mpf(damping(float(e))) * (1 + e) / 2
+        assert abs((mpmath.coth(u) - 1 / u) * (1 + e) / (1 - e) - 1) < 1e-14
 
 
 @st.composite

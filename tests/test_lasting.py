@@ -35,7 +35,8 @@ def row(law, cloth=ICE, **engine):
 @pytest.mark.parametrize("e", [1.0, 0.95, 0.5])
 def test_a_mirror_squeeze_reverses_whatever_the_masses(ratio, e):
     world = row(laws.SmoothBall(e), vmin=0.0)
-    for name, x, v, m in (("a", 0.0, 1.0, ratio), ("b", 2 * R, 0.0, 1.0), ("c", 4 * R, -1.0, ratio)):
+    squeeze = (("a", 0.0, 1.0, ratio), ("b", 2 * R, 0.0, 1.0), ("c", 4 * R, -1.0, ratio))
+    for name, x, v, m in squeeze:
         world.add(Ball(name, at=(x, 0.0), velocity=(v, 0.0), mass=m))
     world.run(until=1e-12)
     assert [ball.velocity[0] for ball in world.balls] == pytest.approx([-e, 0.0, e], abs=1e-13)
@@ -182,7 +183,7 @@ def test_a_ball_leaves_every_cushion_it_has_hit(e, mu, nose):
     hits = [event for event in world.log if event.kind == "cushion"]
     assert hits
     for event in hits:
-        assert event.after[0].velocity[0] <= -0.99e-3
+        assert event.after[0].velocity[0] < 0.0
     assert len(hits) < 30
 
 

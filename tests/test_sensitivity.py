@@ -129,7 +129,7 @@ def carom(ball_law="rough", cushion_law=None):
     [
         (scenes.single(), Shot(3.0, 25.0, 0.5, 0.1, 1.5)),
         (lone("rigid"), Shot(5.0, 26.5, -1.0, 0.0, 2.0)),
-        (lone("thesis"), Shot(3.0, 70.0, 1.0, -0.4, -2.0)),
+        (lone("thesis"), Shot(3.0, 77.0, 1.0, -0.4, -2.0)),
         (lone("capped"), Shot(3.0, 250.0, 1.0, 0.7, 2.0)),
         (lone("rigid"), Shot(2.0, 90.0, -8.0, 4.0, 0.0)),  # massé
     ],

@@ -5,9 +5,10 @@ ball in the direction +x: the caller turns the picture there and back. A complex
 upward).
 """
 
+from .elementary import exp
 from .mathavan import mathavan_cushion
 from .motion import length
-from .subset import complex, exp, foreign_ball, foreign_cushion, kernel
+from .subset import complex, foreign_ball, foreign_cushion, kernel
 
 RIGID_CUSHION, THESIS_CUSHION, CAPPED_CUSHION, MATHAVAN_CUSHION, FOREIGN_CUSHION = 0, 1, 2, 3, 4
 SMOOTH_BALL, ROUGH_BALL, ALCIATORE_BALL, FOREIGN_BALL, THESIS_BALL = 0, 1, 2, 3, 4

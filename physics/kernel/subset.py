@@ -7,7 +7,6 @@ numbers.
 
 from builtins import complex as complex
 from collections.abc import Callable
-from math import exp as exp
 from math import inf as inf
 from math import sqrt as sqrt
 from typing import Any, TypeVar
@@ -19,6 +18,12 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 def kernel(function: F) -> F:
     """Mark a function as part of the subset."""
+    return function
+
+
+def elementary(function: F) -> F:
+    """Mark a function of numbers that double precision computes as it is written; other arithmetics
+    put their own in its place."""
     return function
 
 
