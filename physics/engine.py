@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from .checks import keep, nonnegative, positive
 from .kernel.calendar import (
-    CLUSTER,
     LASTING,
-    NOTHING,
     PAIR,
     UNSOLVED,
+    earliest,
     happen,
     plan_meetings,
     soonest,
@@ -101,29 +100,28 @@ class EventDriven:
 
     def advance(self, world: "World", until: float) -> float:
         scene, log, epoch = world.scene, world.log, world.epoch
-        balls, fade = scene.balls, scene.cloth.fade
-        time, law = world.now, world.cluster_law
+        balls, fade, celled = scene.balls, scene.cloth.fade, scene.celled
+        time, law, left = world.now, world.cluster_law, world.allowed - len(log)
         while balls:
-            i = soonest(scene)
+            i = soonest(scene) if celled else earliest(balls)
             due = balls[i].next
             if epoch + due > until or due == inf:
                 world.due = due
                 break
             time = due
             kind, other = happen(i, scene) if law is None else _springs(i, scene, law)
-            if kind == NOTHING:
-                continue
-            if kind == UNSOLVED:
-                world.reached(time)
-                raise ContactError(epoch + time, _scene(world, self.budget))
-            if kind in (CLUSTER, LASTING):
-                _note_cluster(world, time, other, kind == LASTING)
-            else:
+            if kind <= PAIR:
                 log.begin(i, epoch, balls[i], fade)
                 if kind == PAIR:
                     log.begin(other, epoch, balls[other], fade)
                 log.note(epoch, time, kind, i, other)
-            if len(log) > world.allowed:
+                left -= 1
+            elif kind <= LASTING:
+                left -= _note_cluster(world, time, other, kind == LASTING)
+            elif kind == UNSOLVED:
+                world.reached(time)
+                raise ContactError(epoch + time, _scene(world, self.budget))
+            if left < 0:
                 world.reached(time)
                 raise EventBudgetError(self.budget, epoch + time, _scene(world, self.budget))
         return time
@@ -141,7 +139,8 @@ def _scene(world: "World", budget: int) -> Any:
     return planned_data(world, budget)
 
 
-def _note_cluster(world: "World", time: float, contacts: int, lasting: bool) -> None:
+def _note_cluster(world: "World", time: float, contacts: int, lasting: bool) -> int:
+    """Enter it in the log; returns how many events it counts as, which is never none."""
     ties = world.scene.ties.contacts[:contacts]
     asked = [(t.first, t.second, t.target) for t in ties if t.target > -inf] if lasting else []
     pairs = [(tie.first, tie.second, tie.total) for tie in ties if tie.total > 0.0]
@@ -149,5 +148,4 @@ def _note_cluster(world: "World", time: float, contacts: int, lasting: bool) -> 
     for i in members:
         world.log.begin(i, world.epoch, world.scene.balls[i], world.scene.cloth.fade)
     world.log.note_cluster(world.epoch, time, pairs, members, asked)
-    if not pairs:
-        world.allowed -= 1  # which must not go on for ever either
+    return max(1, len(pairs))

@@ -118,6 +118,6 @@ def _ball(ball: Ball, paged: bool) -> Data:
         "since": body.since,
         **{name: _pair(getattr(body, name)) for name in COMPLEX},
         **{name: getattr(body, name) for name in REAL},
-        **({"hop": [body.hopped, body.hops, body.lent]} if body.hopped != NEVER else {}),
+        **({"hop": [body.hopped, body.met, body.hops, body.lent]} if body.hopped != NEVER else {}),
         "page": {name: _or_none(getattr(body, name)) for name in PAGE} if paged else None,
     }

@@ -196,7 +196,7 @@ def _put_balls(world: World, spot: Spot) -> None:
     world.plan()
     world.clock.epoch, world.clock.now = epoch, now
     for mine, body in zip(world.balls, bodies, strict=True):
-        for name in ("since", *COMPLEX, *REAL, "phase", "hopped", "hops", "lent"):
+        for name in ("since", *COMPLEX, *REAL, "phase", "hopped", "met", "hops", "lent"):
             setattr(mine.body, name, getattr(body, name))
     going = [k for k, body in enumerate(bodies) if body.phase >= 0]
     world.log.rewind([0] * (1 + len(bodies)))
@@ -223,8 +223,8 @@ def _body(spot: Spot) -> Body:
     for name in REAL:
         setattr(body, name, spot[name].number())
     if "hop" in spot.value:  # of a contact that lasts; since version 2 is out
-        hopped, hops, body.lent = (note.number() for note in spot["hop"].items())
-        body.hopped, body.hops = hopped, int(hops)
+        hop = vector(f"{spot.where}.hop", [note.number() for note in spot["hop"].items()], 4)
+        body.hopped, body.met, body.hops, body.lent = hop[0], int(hop[1]), int(hop[2]), hop[3]
     if spot["page"].value is not None:
         for name in PAGE:
             note = spot["page"][name]

@@ -40,6 +40,7 @@ class Body:
     trapped: int = 0  # how many cushions it has hit in one instant
     # contacts that last, see kernel/lasting.py
     hopped: float = -1.0  # when it last met something, slowly; below 0: quickly
+    met: int = -1  # and in whose event: the number of a ball
     hops: int = 0  # so many from contacts that last, in a row
     lent: float = 0.0  # the most that a contact was given to part with, m/s
 

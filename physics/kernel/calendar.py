@@ -5,7 +5,7 @@ from .contact import first_fall, meeting
 from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave_table, plan_flight
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .impulses import WALL
-from .lasting import NEVER, forget, lean, leans, leans_on, meets_slowly
+from .lasting import NEVER, forget, lean, leans, leans_on, meets_slowly, met_last
 from .laws import hit_ball, hit_wall
 from .motion import AIRBORNE, OFF, RESTING, carry, length, motion, settle, swept
 from .subset import complex, inf, kernel, whole
@@ -222,7 +222,7 @@ def bounce(i, goal, instant, time, scene):
         if what != NOTHING:
             return what, contacts
     if slowly:
-        meets_slowly(ball, time)
+        meets_slowly(ball, time, i)
     elif ball.hopped != NEVER:
         forget(ball)
     hit_wall(ball, wall, rule)
@@ -279,15 +279,15 @@ def meet(i, j, time, scene):
         go_on_two(i, j, scene)
         return PAIR, j
     slowly = leans(a, b, scene.cloth)
-    if slowly and a.hopped != NEVER and a.hopped == b.hopped:
+    if slowly and met_last(a, b):
         what, contacts = stay(i, j, time, False, scene)
         if what != NOTHING:
             return what, contacts
     if crowded(i, j, time, balls) if not scene.celled else crowded_near(i, j, time, scene):
         return crowd(i, j, time, slowly, scene)
     if slowly:
-        meets_slowly(a, time)
-        meets_slowly(b, time)
+        meets_slowly(a, time, i)
+        meets_slowly(b, time, i)
     else:
         forget(a)
         forget(b)
@@ -321,7 +321,7 @@ def crowd(i, j, time, slowly, scene):
     if not collide(contacts, balls, scene.ball_rule, ties):
         return UNSOLVED, contacts
     for m in range(members):
-        meets_slowly(balls[ties.member[m]], time if slowly else NEVER)
+        meets_slowly(balls[ties.member[m]], time if slowly else NEVER, i)
     go_on(members, scene)
     return CLUSTER, contacts
 

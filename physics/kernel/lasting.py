@@ -50,15 +50,21 @@ def leans_on(ball, wall, cloth):
 
 
 @kernel
-def meets_slowly(ball, time):
-    """If it soon meets this again, they stay together."""
-    ball.hopped, ball.hops, ball.lent = time, 0, 0.0
+def meets_slowly(ball, time, i):
+    """If it soon meets again what it met in this event of ball i, they stay together."""
+    ball.hopped, ball.met, ball.hops, ball.lent = time, i, 0, 0.0
+
+
+@kernel
+def met_last(a, b):
+    """Was what both last met each other, or of one group, and slowly?"""
+    return a.hopped == b.hopped and a.met == b.met and a.hopped != NEVER
 
 
 @kernel
 def forget(ball):
     """What it met does not count any more."""
-    ball.hopped, ball.hops, ball.lent = NEVER, 0, 0.0
+    ball.hopped, ball.met, ball.hops, ball.lent = NEVER, -1, 0, 0.0
 
 
 @kernel
@@ -201,7 +207,7 @@ def pressing(ball, time, line, cloth):
 def lent_to(tie, balls):
     """What the contact was lent for the hop from which it comes, or 0, m/s."""
     a, b = balls[tie.first], balls[other(tie)]
-    return min(a.lent, b.lent) if a.hopped == b.hopped and a.hopped != NEVER else 0.0
+    return min(a.lent, b.lent) if met_last(a, b) else 0.0
 
 
 @kernel
@@ -274,7 +280,7 @@ def lean(i, j, time, held, scene):
         return members, -1
     for m in range(members):
         ball = balls[ties.member[m]]
-        ball.hopped, ball.hops, ball.lent = time, ball.hops + 1, lent
+        ball.hopped, ball.met, ball.hops, ball.lent = time, i, ball.hops + 1, lent
         if held:
             ball.trapped = 0
     return members, contacts
