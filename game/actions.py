@@ -13,7 +13,8 @@ from .aim import BOXES, typed
 class Action(NamedTuple):
     """One thing the player wants; `value` is its argument, if it has one.
 
-    edit BOX · clear · type TEXT · erase · enter · leave · shoot · fire · place · stop · retry ·
+    edit BOX · clear · type TEXT · erase · delete · caret WHERE · enter · leave · shoot · fire ·
+    place · stop · retry ·
     pause · frame · back · event WAY · scrub TICKS · home · skip · faster STEPS · undo · redo ·
     turn DEGREES · power SPEED · push SPEED · tip "RIGHT UP" · nudge "RIGHT UP" · centre ·
     elevate DEGREES · tilt DEGREES · thick EIGHTHS · thicker WAY · set "BOX NUMBER ..." ·
@@ -69,7 +70,6 @@ PLAY = {
 EDITING = {
     pygame.K_RETURN: Action("enter"),
     pygame.K_KP_ENTER: Action("enter"),
-    pygame.K_BACKSPACE: Action("erase"),
     pygame.K_ESCAPE: Action("leave"),
 }
 
@@ -91,7 +91,11 @@ CUE = {
     pygame.K_PAGEDOWN: ("tilt", "-{}", "5", "1"),
 }
 """Keys that move the cue while Alt is held: action, value, and its step without and with Shift."""
-HELD = frozenset({"turn", "push", "nudge", "tilt", "frame", "back", "erase"})
+FIRST = frozenset("0123456789+-")
+"""Characters with which an entry may begin in play."""
+KEYPAD = {getattr(pygame, f"K_KP{n}"): str(n) for n in range(10)}
+"""Digits of the number pad: without text input they come without a character."""
+HELD = frozenset({"turn", "push", "nudge", "tilt", "frame", "back", "erase", "delete", "caret"})
 """Actions that go on while their key is held."""
 
 
@@ -120,10 +124,15 @@ def of_key(
         return None
     if key == pygame.K_TAB:
         return _tab(box, bool(mod & pygame.KMOD_SHIFT))
-    text = "" if texts else getattr(event, "unicode", "")
+    text = "" if texts else character(event)
     if box is not None:
         return EDITING.get(key) or _characters(text)
     return play.get(key) or _first_character(text)
+
+
+def character(event: pygame.event.Event) -> str:
+    """Return the character that a KEYDOWN gives where no TEXTINPUT follows, or ""."""
+    return getattr(event, "unicode", "") or KEYPAD.get(event.key, "")
 
 
 def _modified(key: int, mod: int, play: Mapping[int, Action]) -> Action | None:
@@ -152,7 +161,7 @@ def finer_step(name: str, way: int, finest: bool) -> Action:
 
 
 def of_text(event: pygame.event.Event, box: int | None) -> Action | None:
-    """What a TEXTINPUT means: characters for a box, if any of them fit into one."""
+    """What a TEXTINPUT means: characters for a box, or in play the beginning of an entry."""
     return _characters(event.text) if box is not None else _first_character(event.text)
 
 
@@ -163,8 +172,8 @@ def _tab(box: int | None, back: bool) -> Action:
 
 
 def _first_character(text: str) -> Action | None:
-    """A digit or a sign in play begins an entry; `.` and `e` are shortcuts there."""
-    return None if text in (".", "e") else _characters(text)
+    """A digit or a sign in play begins an entry; all else is a shortcut there, or nothing."""
+    return _characters(text) if typed(text)[:1] in FIRST else None
 
 
 def _characters(text: str) -> Action | None:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-import unicodedata
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache
 from math import isfinite
 
 from physics import Shot
 
+from .numerals import MINUS, hopeless, plain, shown, typed, value
+from .textfield import TextField
 from .tip import Tip, tip_of
+
+__all__ = ["BOXES", "MINUS", "MOST", "Aim", "Fault", "fault", "plain", "shown", "typed", "value"]
 
 BOXES = ("speed", "follow", "masse", "side", "angle")
 """V, Wx·R, Wy·R, Wz·R and the angle, as `physics.Shot` calls them, in the order of the boxes."""
@@ -17,8 +21,8 @@ MOST = {"speed": 50.0, "follow": 100.0, "masse": 100.0, "side": 100.0, "angle": 
 """Largest size of each number: far beyond any cue, and what the window can still follow."""
 LONGEST = 16
 """Characters a box takes."""
-MINUS = "\u2212"
-ALLOWED = frozenset("0123456789.+-e")
+CUT = "…"
+"""What a text ends with that did not fit: so it is no number, and says why."""
 START = ("3.5", "1", "0", "2", "34.5")
 """What the boxes hold at first: on the medium table it makes both reds, over five cushions."""
 
@@ -29,30 +33,6 @@ class Fault:
 
     box: int
     reason: str
-
-
-def typed(text: str) -> str:
-    """Return what may enter a box: full-width forms become plain ones, other characters go."""
-    plain = unicodedata.normalize("NFKC", text).replace(MINUS, "-").lower()
-    return "".join(c for c in plain if c in ALLOWED)
-
-
-def shown(text: str) -> str:
-    """Return a text as it is drawn: the true minus is as wide as plus."""
-    return text.replace("-", MINUS)
-
-
-def plain(number: float, places: int = 2) -> str:
-    """Return a number as text for a box: rounded, without zeros that say nothing."""
-    text = f"{number:.{places}f}".rstrip("0").rstrip(".")
-    return "0" if text in ("-0", "") else text
-
-
-def value(text: str) -> float:
-    """Return the number that a text means; ValueError if it means none."""
-    if "_" in text:
-        raise ValueError("an underscore is no digit")
-    return float(unicodedata.normalize("NFKC", text).replace(MINUS, "-"))
 
 
 @lru_cache(maxsize=256)
@@ -77,18 +57,17 @@ def fault(box: int, text: str) -> Fault | None:
 class Aim:
     """What the next shot will be.
 
-    `box` is the one being edited, or None in play; `fresh` says that the next character replaces
-    its text; `complete` that RETURN may shoot, once; `wrong` that an entry was refused and no good
-    shot has followed yet.
+    `box` is the one being edited, or None in play; `complete` says that RETURN may shoot, once;
+    `wrong` that an entry was refused and no good shot has followed yet.
     """
 
     texts: list[str] = field(default_factory=lambda: list(START))
     box: int | None = None
-    fresh: bool = False
     complete: bool = True
     wrong: bool = False
     left: set[int] = field(default_factory=set)
     """Boxes that have been left since editing began: only their faults are shown."""
+    _edited: TextField = field(default_factory=TextField)
     _held: tuple[Tip, list[str]] | None = None
     """The tip point that was set last, and what the first four boxes were then given."""
 
@@ -100,10 +79,18 @@ class Aim:
 
     @property
     def shown_faults(self) -> list[Fault]:
-        """The faults to point at: not those of boxes the player has not come to yet."""
+        """The faults to point at: not those of boxes the player has not come to yet.
+
+        Nor that of the box being edited, as long as more characters may make a number of it.
+        """
         if self.wrong:
             return self.faults
-        return [f for f in self.faults if f.box in self.left and f.box != self.box]
+        return [fault for fault in self.faults if self._shows(fault)]
+
+    def _shows(self, fault: Fault) -> bool:
+        if fault.box == self.box:
+            return hopeless(self.texts[fault.box])
+        return fault.box in self.left
 
     @property
     def shot(self) -> Shot | None:
@@ -118,32 +105,58 @@ class Aim:
         box = BOXES.index("angle")
         return None if fault(box, self.texts[box]) else value(self.texts[box])
 
+    @property
+    def edited(self) -> TextField | None:
+        """The text of the box being edited, with its caret; None in play."""
+        if self.box is None:
+            return None
+        if self._edited.text != self.texts[self.box]:
+            self._edited = TextField(self.texts[self.box], LONGEST)
+        return self._edited
+
     def edit(self, box: int = 0, clear: bool = False) -> None:
-        """Begin or go on editing at `box`; `clear` empties all five first."""
+        """Begin or go on editing at `box`, all of it selected; `clear` empties all five first."""
         if clear:
             self.texts = [""] * len(BOXES)
         if self.box is None:
             self.left = set()
         else:
             self.left.add(self.box)
-        self.box, self.fresh, self.complete = box % len(BOXES), True, False
+        self.box, self.complete = box % len(BOXES), False
+        self._edited = TextField(self.texts[self.box], LONGEST)
 
-    def type(self, text: str) -> None:
-        """Append characters to the box; the first one replaces what was selected."""
-        if self.box is None:
-            return
-        kept = "" if self.fresh else self.texts[self.box]
-        added = typed(text)
-        if added:
-            self.texts[self.box] = (kept + added)[:LONGEST]
-            self.fresh = False
+    def type(self, text: str) -> bool:
+        """Put characters at the caret, or in place of what is selected.
+
+        Returns whether there was room for all: a longer text ends so that it can be no number.
+        """
+        edited, added = self.edited, typed(text)
+        if edited is None or not added:
+            return True
+        room = LONGEST - len(edited.text) + len(edited.selected)
+        fits = len(added) <= room
+        if not fits and len(added) > 1:
+            added = added[: max(room - len(CUT), 0)] + CUT
+        self._change(lambda field: field.type(added[:room]) if room else None)
+        return fits
 
     def erase(self) -> None:
-        """Delete the last character of the box, or all of it while it is selected."""
-        if self.box is None:
-            return
-        self.texts[self.box] = "" if self.fresh else self.texts[self.box][:-1]
-        self.fresh = False
+        """Delete the character before the caret, or what is selected."""
+        self._change(TextField.erase)
+
+    def delete(self) -> None:
+        """Delete the character after the caret, or what is selected."""
+        self._change(TextField.delete)
+
+    def go(self, to: str | int) -> None:
+        """Move the caret, as `TextField.go` does."""
+        self._change(lambda field: field.go(to))
+
+    def _change(self, change: Callable[[TextField], object]) -> None:
+        edited = self.edited
+        if edited is not None and self.box is not None:
+            change(edited)
+            self.texts[self.box] = edited.text
 
     def enter(self) -> None:
         """Go to the next box; after the last one the entry is complete, if it can be read."""
@@ -159,7 +172,7 @@ class Aim:
         """Stop editing."""
         if self.box is not None:
             self.left.add(self.box)
-        self.box, self.fresh = None, False
+        self.box = None
 
     def finish(self) -> bool:
         """Declare the entry complete; returns whether it can be shot."""

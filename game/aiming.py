@@ -14,6 +14,7 @@ from physics import heading
 
 from . import thickness
 from .aim import BOXES, MOST
+from .numerals import value as number
 from .tip import LIMIT, STEEPEST, Tip
 
 if TYPE_CHECKING:
@@ -79,7 +80,7 @@ def push(game: Game, value: str) -> None:
     """Change the speed by so much, m/s."""
     box = BOXES.index("speed")
     fine = not any(fault.box == box for fault in game.aim.faults)
-    power(game, str((float(game.aim.texts[box]) if fine else 0.0) + float(value)))
+    power(game, str((number(game.aim.texts[box]) if fine else 0.0) + float(value)))
 
 
 def tip(game: Game, value: str) -> None:
@@ -122,7 +123,7 @@ def _elevation(game: Game) -> float:
 
 def _strike_at(game: Game, wanted: Tip) -> None:
     if wanted.away > LIMIT:
-        game.warn("miscue")
+        game.warn("miscue", error=False)
     game.aim.hold(wanted.within())
     written(game)
 
@@ -167,7 +168,23 @@ def take_over(game: Game) -> None:
     game.began = game.world.time
 
 
+def erase(game: Game) -> None:
+    """Delete the character before the caret, or what is selected."""
+    game.aim.erase()
+
+
+def delete(game: Game) -> None:
+    """Delete the character after the caret, or what is selected."""
+    game.aim.delete()
+
+
+def caret(game: Game, to: str | int) -> None:
+    """Move the caret in the box being edited, as `TextField.go` does."""
+    game.aim.go(to)
+
+
 HANDLERS: dict[str, Callable[..., None]] = {
     "set": put, "turn": turn, "power": power, "push": push, "tip": tip, "nudge": nudge,
     "centre": centre, "tilt": tilt, "elevate": elevate, "thick": thick, "thicker": thicker,
+    "erase": erase, "delete": delete, "caret": caret,
 }  # fmt: skip

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 import sys
-from dataclasses import dataclass
 
 import pygame
 
+from . import editing, watching
 from .actions import Action, of_key, of_text
 from .canvas import Canvas
 from .clock import RealClock, VirtualClock, seconds
@@ -21,32 +21,21 @@ from .repeat import Repeat
 from .replay import Replay
 from .script import Script
 from .setup import size as table_size
+from .stats import Stats
 from .thinker import Thinker
-from .ui import hand
+from .ui import hand, prompts
+from .ui.touch import lets_go
 from .ui.view import View
 
 TITLE = "danggu"
 WM_CLASS = "billiards"
 MOUSE = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
 OVERLAID = (pygame.KEYDOWN, pygame.TEXTINPUT, pygame.MOUSEWHEEL, *MOUSE)
+NOWHERE = (-1, -1)
+TOLD = ("law", "engine")
+"""Actions whose outcome is said: a narrow window has no room for it elsewhere."""
 RESIZED = (pygame.VIDEORESIZE, pygame.WINDOWSIZECHANGED)
 EXPOSED = (pygame.VIDEOEXPOSE, pygame.WINDOWEXPOSED)
-
-
-@dataclass(slots=True)
-class Stats:
-    """What the loop has done."""
-
-    drawn: int = 0
-    skipped: int = 0
-    inputs: int = 0
-
-    def line(self, game: Game) -> str:
-        """All of it in a line."""
-        return (
-            f"frames drawn {self.drawn}, frames skipped {self.skipped}, "
-            f"physics calls {game.calls}, events {game.events}, inputs {self.inputs}"
-        )
 
 
 def prepare_environment() -> None:
@@ -110,10 +99,10 @@ class App:
         for event in pygame.event.get():
             self.handle(event)
         for _ in range(self.repeat.due(ticks)):
-            self.perform(self.repeat.action)
+            self._again()
         end = self.game.tick + ticks
         if self.replay is not None:
-            end = self._replay(self.replay, end)
+            end = watching.advance(self, self.replay, end)
         for line in self.script.due(end):
             self.update(line.tick - self.game.tick)
             for event in line.events:
@@ -135,11 +124,21 @@ class App:
         self.stats.inputs += 1
         if event.type in MOUSE:
             event = self.canvas.translated(event)
+        if lets_go(event):
+            self.redraw(self.view.release())
+        composing = self.view.composition.text
+        for meant in self.view.meant(event):
+            self._take(meant)
+        self.redraw(self.view.composition.text != composing)
+
+    def _take(self, event: pygame.event.Event) -> None:
         if event.type == pygame.QUIT:
             self.perform(Action("quit"))
         elif self.replay is not None and event.type in OVERLAID:
-            self._watch(self.replay, event)
+            watching.take(self, self.replay, event)
         elif self.game.sheet and event.type in OVERLAID:
+            if event.type == pygame.KEYDOWN:
+                self.repeat.press(event.key, editing.of_key(event), event)
             self._sheet(event)
         elif event.type == pygame.KEYDOWN:
             self._key(event)
@@ -149,6 +148,8 @@ class App:
             self._mouse(event)
         elif event.type == pygame.MOUSEWHEEL and not self.game.help:
             self.perform(self.view.wheel(event.y))
+        elif event.type == pygame.WINDOWLEAVE:
+            self.redraw(self.view.hover(NOWHERE))
         elif event.type in RESIZED:
             self._resize()
         elif event.type in EXPOSED:
@@ -165,8 +166,12 @@ class App:
         sheet = self.game.sheet
         self.actions.append((self.game.tick, action))
         self._act(action)
+        if action.name in TOLD and self.game.notice is None:
+            self.game.notice = Notice(action.name)
         if self.game.sheet and self.game.sheet != sheet:
             self.view.open()
+        if self.game.held:
+            self.view.release()
         self.preferences.note(action, self.game)
         if self.game.world is not self._world:
             self._relay()
@@ -183,39 +188,9 @@ class App:
         (self.replay or self.game).perform(action)
         self.journal.after()
 
-    def _watch(self, replay: Replay, event: pygame.event.Event) -> None:
-        """Take an event while a record is played: it can be held and left, and be heard or not."""
-        if event.type != pygame.KEYDOWN:
-            return
-        action = self.preferences.keys.play.get(event.key)
-        if event.key == pygame.K_ESCAPE:
-            self.perform(Action("quit"))
-        elif action in (Action("pause"), Action("stop")) and not replay.done:
-            replay.paused = not replay.paused
-            self._tell(replay)
-        elif action == Action("mute"):
-            self.perform(action)
-
-    def _replay(self, replay: Replay, end: int) -> int:
-        """Play the record on to a tick, or to its end; returns the tick reached."""
-        if replay.paused or replay.done:
-            return self.game.tick
-        end = min(end, replay.end)
-        for tick, action in replay.due(end):
-            self.update(tick - self.game.tick)
-            self.perform(action, human=False)
-        self.update(end - self.game.tick)
-        self._tell(replay)
-        self.game.over = self.game.over or (replay.done and self.options.virtual)
-        return end
-
-    def _tell(self, replay: Replay) -> None:
-        """Say in the window how the replay stands."""
-        notice = Notice(f"replay.{replay.state}", error=replay.differs is not None)
-        if notice != self.game.notice:
-            self.game.notice = notice
-            self.game.news += 1
-            self.game.version += 1
+    def redraw(self, changed: bool = True) -> None:
+        """Draw in this frame even if nothing of the game has changed."""
+        self._shown_version -= changed
 
     def _restyle(self, action: Action) -> None:
         """Show what has been chosen for seeing and hearing."""
@@ -239,7 +214,7 @@ class App:
         keys = self.preferences.keys
         if self.game.help:
             always = keys.always.get(event.key)
-            if event.key in (pygame.K_ESCAPE, pygame.K_RETURN) or always == Action("help"):
+            if event.key in hand.DONE or always == Action("help"):
                 self.perform(Action("help"))
             elif always == Action("language"):
                 self.perform(always)
@@ -248,8 +223,21 @@ class App:
             self.perform(action)
             return
         action = of_key(event, self.game.aim.box, self._texts, keys.play, keys.always)
+        edited = self.game.aim.edited
+        if edited is not None and event.key not in keys.always:
+            action = editing.with_clipboard(editing.of_key(event), edited) or action
+        elif action == Action("shoot"):
+            action = prompts.entered(self.game)
         self.repeat.press(event.key, action)
         self.perform(action)
+
+    def _again(self) -> None:
+        """Do again what the held key does: in the field of a page, or in a box or in play."""
+        if self.game.sheet:
+            if self.view.field is not None:
+                self._sheet(self.repeat.event)
+        elif not self.game.help:
+            self.perform(self.repeat.action)
 
     def _sheet(self, event: pygame.event.Event) -> None:
         """Take an event that is meant for the page over the table."""
@@ -269,15 +257,12 @@ class App:
             if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
                 self.perform(Action("help"))
         elif event.type == pygame.MOUSEMOTION:
-            changed = self.view.hover(event.pos)
-            self._shown_version -= changed
+            self.redraw(self.view.hover(event.pos))
             self.perform(self.view.drag(event.pos))
         elif event.button == 1:
             self._shown_version -= 1
             if event.type == pygame.MOUSEBUTTONDOWN:
                 self.perform(self.view.press(event.pos))
-            else:
-                self.view.release()
 
     def _resize(self) -> None:
         if pygame.display.get_window_size() != self.canvas.size:
@@ -289,9 +274,10 @@ class App:
 
     def _sync_typing(self) -> None:
         """Take text only while a box is edited: an input method must not swallow shortcuts."""
-        typing = self.view.typing if self.game.sheet else self.game.aim.box is not None
+        typing = self.view.typing
         if typing != self._typing:
             self._typing = typing
+            self.view.composition.text = ""
             (pygame.key.start_text_input if typing else pygame.key.stop_text_input)()
 
     # -- update --------------------------------------------------------------------------------

@@ -6,6 +6,8 @@ from math import ceil
 
 import pygame
 
+from .render.theme import BACKGROUND
+
 LEAST = 960, 540
 """A window for which text has its least size, 11 px: smaller ones show the same, only smaller."""
 SHAPE = 4
@@ -50,6 +52,9 @@ class Canvas:
         """Bring what has changed in the picture into the window; returns what changed there."""
         if self.surface is self.window or not dirty:
             return dirty
+        whole = self.surface.get_rect() in dirty
+        if whole:  # beside the part there may be what the window showed in another shape
+            self.window.fill(BACKGROUND)
         part = self.window.subsurface(self.part)
         pygame.transform.smoothscale(self.surface, part.get_size(), part)
-        return [self.part]
+        return [self.window.get_rect() if whole else self.part]

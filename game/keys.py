@@ -27,8 +27,13 @@ BEGIN = _codes(
     *"0123456789", *(f"KP{n}" for n in range(10)), "PLUS", "MINUS", "EQUALS", "KP_PLUS", "KP_MINUS"
 )
 """Keys that begin an entry: they type into boxes from play as well."""
-TYPE = BEGIN | _codes("PERIOD", "KP_PERIOD", "e")
-"""Keys that type into a box that is being edited."""
+TYPE = (
+    BEGIN
+    | frozenset(range(32, 127))
+    | _codes("LEFT", "RIGHT", "HOME", "END", "DELETE", "INSERT")
+    | _codes(*(f"KP_{name}" for name in ("PERIOD", "DIVIDE", "MULTIPLY", "EQUALS")))
+)
+"""Keys that type into a text field that is being edited, or move its caret."""
 
 _CONSTANTS = sorted((n[2:].lower(), c) for n, c in vars(pygame).items() if n.startswith("K_"))
 CODES: dict[str, int] = dict(_CONSTANTS)

@@ -125,6 +125,7 @@ class Game:
 
     def _edit(self, box: int = 0) -> None:
         self.show_aim()
+        self.arranging = False
         self.aim.edit(box)
 
     def _clear(self) -> None:
@@ -134,10 +135,8 @@ class Game:
     def _type(self, text: str) -> None:
         if self.aim.box is None:
             self._edit()
-        self.aim.type(text)
-
-    def _erase(self) -> None:
-        self.aim.erase()
+        if not self.aim.type(text):
+            self.warn("full")
 
     def _enter(self) -> None:
         self.aim.enter()
@@ -232,9 +231,9 @@ class Game:
     def _quit(self) -> None:
         self.over = True
 
-    def warn(self, key: str) -> None:
-        """Say what cannot be."""
-        self.notice = Notice(key, error=True)
+    def warn(self, key: str, error: bool = True) -> None:
+        """Say what cannot be, or what has been done instead of it."""
+        self.notice = Notice(key, error)
 
     def _undo(self) -> None:
         """Take the last step back; in a match with the computer as far as a person's turn."""
@@ -296,6 +295,7 @@ class Game:
         """All balls lie still: an entry begun meanwhile comes on show."""
         self.moving = False
         self.stamp += 1
+        self.paused = False  # there is nothing to hold: the next shot, or the computer, goes on
         if self.contest is not None:
             self.contest.rested(self)
         if self.aim.box is not None or self.aim.complete:
@@ -386,7 +386,7 @@ class Game:
         self.readout_time = now - self.began if self.shown_shot else 0.0
 
     _handlers: ClassVar[dict[str, Callable[..., None]]] = {
-        "edit": _edit, "clear": _clear, "type": _type, "erase": _erase, "enter": _enter,
+        "edit": _edit, "clear": _clear, "type": _type, "enter": _enter,
         "leave": _leave, "shoot": _shoot, "fire": _fire, "place": _place, "stop": _stop,
         "retry": _retry, "undo": _undo, "redo": _redo, "help": _help,
         "settings": _settings, "quit": _quit, **aiming.HANDLERS, **playhead.HANDLERS,

@@ -18,11 +18,16 @@ class Repeat:
         self._key: int | None = None
         self._action: Action | None = None
         self._left = 0
+        self.event = pygame.event.Event(pygame.NOEVENT)
+        """The KEYDOWN, for whoever is to get it again."""
 
-    def press(self, key: int, action: Action | None) -> None:
+    def press(
+        self, key: int, action: Action | None, event: pygame.event.Event | None = None
+    ) -> None:
         """A key has been pressed that means an action."""
         held = action is not None and action.name in HELD
         self._key, self._action, self._left = (key if held else None), action, FIRST
+        self.event = event or self.event
 
     def due(self, ticks: int) -> int:
         """How often it is to be done again now that `ticks` have passed."""

@@ -35,8 +35,8 @@ GLANCE = TICKS // 5
 HURRY = ("skip", "shoot", "fire", "stop", "next")
 """What a person does while the computer thinks that means: strike now."""
 AIMING = (
-    "edit", "clear", "type", "erase", "enter", "leave", "set", "turn", "power", "push", "tip",
-    "nudge", "centre", "elevate", "tilt", "thick", "thicker",
+    "edit", "clear", "type", "erase", "delete", "caret", "enter", "leave", "set", "turn", "power",
+    "push", "tip", "nudge", "centre", "elevate", "tilt", "thick", "thicker",
 )  # fmt: skip
 """What a person does for the next stroke: not on the computer's turn."""
 PLACES = 4
@@ -62,10 +62,14 @@ class Thinker:
         return contest is not None and contest.level is not None and not held
 
     def takes(self, action: Action) -> bool:
-        """Is this a person's action that the computer's turn leaves undone or takes as "hurry"?"""
-        if not self.on:
+        """Is this a person's action that the computer's turn leaves undone or takes as "hurry"?
+
+        While that turn is paused too: nobody plays the computer's stroke for it.
+        """
+        contest = self.game.contest
+        if contest is None or contest.level is None or self.game.moving or self.game.held:
             return False
-        if action.name in HURRY:
+        if action.name in HURRY and self.on:
             self.hurry()
         return action.name in HURRY or action.name in AIMING
 

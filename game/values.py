@@ -71,6 +71,15 @@ def _boxes(value: object) -> str:
     return "" if good and all(map(_is_number, numbers)) else "boxes and their numbers as text"
 
 
+def _caret(value: object) -> str:
+    """Where the caret of a text field goes."""
+    if type(value) is int:
+        return "" if 0 <= value <= FARTHEST else f"a whole number from 0 to {FARTHEST}"
+    step = value.removeprefix("+") if isinstance(value, str) else ""
+    good = step in ("left", "right", "home", "end", "back", "ahead") or value == "all"
+    return "" if good else "a place in the text"
+
+
 def _one_of(keys: Iterable[str], *, needed: bool = False) -> Check:
     known = (*keys,)
 
@@ -95,7 +104,7 @@ _ONCE = dict.fromkeys(
     (
         "clear", "erase", "enter", "leave", "shoot", "fire", "place", "stop", "retry", "undo",
         "redo", "pause", "frame", "back", "home", "skip", "centre", "help", "settings", "next",
-        "arrange",
+        "arrange", "delete",
     ),
     _nothing,
 )  # fmt: skip
@@ -105,7 +114,7 @@ VALUES: dict[str, Check] = {
     **dict.fromkeys(("turn", "power", "push", "tilt", "elevate"), _NUMBER),
     **dict.fromkeys(("tip", "nudge", "move"), _PAIR),
     **dict.fromkeys(("intend", "play"), _SHOT),
-    **dict.fromkeys(("type", "hold"), _text),
+    **dict.fromkeys(("type", "hold"), _text), "caret": _caret,
     "edit": _whole(0, len(BOXES) - 1), "set": _boxes,
     "thick": _whole(-7, 7), "thicker": _whole(-1, 1), "faster": _whole(-MOST_STEPS, MOST_STEPS),
     "event": _whole(-1, 1), "scrub": _whole(0, FARTHEST),

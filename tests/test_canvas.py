@@ -6,6 +6,7 @@ from players import FRAME, an_app, assert_same_as_anew, in_window, press, run_to
 
 from game.canvas import LEAST, SHAPE, Canvas
 from game.render.layout import Layout
+from game.render.theme import BACKGROUND
 
 SMALL = [(640, 360), (800, 450), (959, 540), (960, 539), (700, 900), (1200, 300), (320, 180)]
 ODD = [(1, 1), (200, 16384), (16384, 200), (3, 700)]
@@ -99,3 +100,24 @@ def test_nothing_is_scaled_when_nothing_changes(monkeypatch):
     for _ in range(5):
         app.frame(FRAME)
     assert scaled == []
+
+
+@pytest.mark.parametrize("size", [(1280, 200), (1280, 300), (240, 1180)])
+def test_nothing_is_left_of_the_old_picture_beside_a_very_wide_or_tall_one(size):
+    app = an_app(size=(1280, 720))
+    app.screen.fill((255, 0, 255))  # what the window's surface may hold when it changes its shape
+    screen = pygame.display.set_mode(size, pygame.RESIZABLE)
+    screen.fill((255, 0, 255))
+    app.handle(pygame.event.Event(pygame.VIDEORESIZE, size=size, w=size[0], h=size[1]))
+    shown = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(pygame.display, "update", shown.append)
+        app.frame(0)
+    assert shown == [[app.screen.get_rect()]]
+    beside = [app.screen.get_at((x, y)) for x, y in ((0, 0), (size[0] - 1, size[1] - 1))]
+    assert [tuple(colour)[:3] for colour in beside] == [BACKGROUND] * 2
+    assert_same_as_anew(app)
+    press(app, "q")
+    app.handle(pygame.event.Event(pygame.VIDEOEXPOSE))
+    app.frame(0)
+    assert tuple(app.screen.get_at((0, 0)))[:3] == BACKGROUND

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pygame
 
-from . import shapes, theme
+from . import shapes, textline, theme
 from .text import Type
+from .textline import Line
 from .theme import Colour, mix
 
 STATES = ("idle", "hover", "focused", "invalid", "disabled")
 UNIT_COLUMN = 28
-SELECTION = mix(theme.PANEL_RAISED, theme.ACCENT, 0.20)
 
 
 def field(
@@ -24,11 +24,13 @@ def field(
     caret: int | None = None,
     selected: bool = False,
     flash: bool = False,
+    line: Line | None = None,
 ) -> pygame.Rect:
     """Draw an input box and return its rectangle with the focus ring's room.
 
     `state` is one of `STATES`; an invalid box that is being edited has a `caret` too.  `caret` is
     its place in `value`; `selected` marks the whole value; `flash` lights the label for a moment.
+    A `line` says all of that about the value itself.
     """
     s = type_.s
     room = rect.inflate(2 * round(4 * s), 2 * round(4 * s))
@@ -40,12 +42,17 @@ def field(
     baseline = rect.y + 39 * s
     right = rect.right - round(12 * s)
     type_.draw(surface, unit, (right, baseline), 13, theme.TEXT_SOFT, "right")
-    room_left = rect.x + round(12 * s)
-    room_right = right - _unit_room(type_, unit)
-    window = pygame.Rect(room_left, rect.y + round(20 * s), room_right - room_left, round(28 * s))
     ink = {"invalid": theme.ERROR, "disabled": theme.TEXT_SOFT}.get(state, theme.TEXT)
-    _value(surface, window, type_, value, baseline, ink, caret, selected)
+    line = line or Line(value, caret, (0, len(value) * selected))
+    textline.draw(surface, _window(rect, type_, unit), type_, line, 20, baseline, ink, "right")
     return room
+
+
+def _window(rect: pygame.Rect, type_: Type, unit: str) -> pygame.Rect:
+    """Return the room for the value, at the left of the unit."""
+    s, left = type_.s, rect.x + round(12 * type_.s)
+    right = rect.right - round(12 * s) - _unit_room(type_, unit)
+    return pygame.Rect(left, rect.y + round(20 * s), right - left, round(28 * s))
 
 
 def _edge(state: str) -> tuple[Colour, Colour, float]:
@@ -61,48 +68,21 @@ def _edge(state: str) -> tuple[Colour, Colour, float]:
     return theme.LINE_INPUT, theme.TEXT_SOFT, 1.0
 
 
-def _value(
-    surface: pygame.Surface,
-    window: pygame.Rect,
-    type_: Type,
-    value: str,
-    baseline: float,
-    ink: Colour,
-    caret: int | None,
-    selected: bool,
-) -> None:
-    """Draw the value right-aligned in `window`, scrolled so that the caret stays visible."""
-    s = type_.s
-    total = type_.width(value, 20)
-    place = type_.width(value[: caret or 0], 20)
-    left = window.right - total
-    if caret is not None and left + place < window.x:
-        left = window.x - place
-    clip = surface.get_clip()
-    surface.set_clip(window.inflate(round(8 * s), 0).clip(clip))
-    if selected:
-        block = pygame.Rect(left, 0, total, round(22 * s)).inflate(round(6 * s), 0)
-        block.centery = round(baseline - type_.cap(20) / 2)
-        shapes.box(surface, block, s, SELECTION, SELECTION, radius=3)
-    type_.draw(surface, value, (left, baseline), 20, ink)
-    if caret is not None:
-        line = pygame.Rect(left + place, 0, max(1, round(1.5 * s)), round(22 * s))
-        line.centery = round(baseline - type_.cap(20) / 2)
-        surface.fill(theme.ACCENT, line)
-    surface.set_clip(clip)
-
-
 def _unit_room(type_: Type, unit: str) -> int:
     """Return the width of the column at the right that holds the unit."""
     column = round((UNIT_COLUMN + 8) * type_.s)
     return max(column, type_.width(unit, 13) + round(5 * type_.s))
 
 
-def caret_at(rect: pygame.Rect, type_: Type, value: str, x: float, unit: str = "") -> int:
-    """Return the place in `value` nearest to the screen's `x`, for a click into a box."""
-    left = rect.right - round(12 * type_.s) - _unit_room(type_, unit)
-    left -= type_.width(value, 20)
-    return min(range(len(value) + 1), key=lambda i: abs(left + type_.width(value[:i], 20) - x))
+def caret_at(
+    rect: pygame.Rect, type_: Type, value: str, x: float, unit: str = "", caret: int | None = None
+) -> int:
+    """Return the place in `value` nearest to the screen's `x`, for a click into a box.
+
+    `caret` is where it stands now, None without one: it decides how far a long value is scrolled.
+    """
+    line = Line(value, caret)
+    return textline.place_at(_window(rect, type_, unit), type_, line, 20, x, "right")
 
 
 def button(
@@ -144,22 +124,29 @@ def _button_colours(state: str) -> tuple[Colour, Colour, Colour]:
 
 
 def hint(
-    surface: pygame.Surface, rect: pygame.Rect, type_: Type, string: str, error: bool = False
+    surface: pygame.Surface,
+    rect: pygame.Rect,
+    type_: Type,
+    string: str,
+    error: bool = False,
+    warning: bool = False,
 ) -> pygame.Rect:
-    """Draw the line of help, or of an error with its sign."""
+    """Draw the line of help, or of an error or a warning with its sign."""
     s = type_.s
+    sign = theme.ERROR if error else theme.WARNING if warning else None
     surface.fill(theme.BACKGROUND, rect)
-    shapes.box(surface, rect, s, border=theme.ERROR if error else theme.LINE)
+    shapes.box(surface, rect, s, border=sign or theme.LINE)
     left = rect.x + round(12 * s)
-    if error:
+    if sign is not None:
         centre = (left + round(5 * s), rect.centery)
-        shapes.disc(surface, centre, 6.5 * s, theme.ERROR)
+        shapes.disc(surface, centre, 6.5 * s, sign)
         baseline = rect.centery + type_.cap(11) / 2
-        type_.draw(surface, "!", (centre[0] + 0.5, baseline), 11, theme.PANEL, "centre")
+        mark = "!" if error else "i"
+        type_.draw(surface, mark, (centre[0] + 0.5, baseline), 11, theme.PANEL, "centre")
         left += round(18 * s)
-    ink = theme.ERROR if error else theme.TEXT_SOFT
     shown = type_.fitted(string, 13, rect.right - round(6 * s) - left)
-    type_.draw(surface, shown, (left, rect.centery + type_.cap(13) / 2), 13, ink)
+    middle = rect.centery + type_.cap(13) / 2
+    type_.draw(surface, shown, (left, middle), 13, sign or theme.TEXT_SOFT)
     return rect
 
 

@@ -18,6 +18,8 @@ from .text import Type
 from .theme import Colour, mix
 
 RED = theme.rgb("#C4162E")
+AMBER = theme.rgb("#C97400")
+"""The theme's warning where it lies on a ball, which is light."""
 EIGHTHS_SHOWN = tuple(range(-7, 8))
 """Where the cue ball can be sent past another, in eighths: + on its right; full in the middle."""
 
@@ -90,7 +92,7 @@ def _miscue_ring(
 ) -> None:
     """Draw the dashed circle beyond which the tip slips; whole and thick where it has to stop."""
     if refused:
-        lines.ring(surface, centre, radius, RED, 3.5 * s, 1.0, 0.12)
+        lines.ring(surface, centre, radius, AMBER, 3.5 * s, 1.0, 0.12)
         return
     count = 96
     circle = [
@@ -108,7 +110,7 @@ def _marker(
     foot = max(radius * 0.006 / 0.03275 * 0.5, 8 * s)
     lines.dot(surface, (centre[0], centre[1] + 1.5 * s), foot + 1.5 * s, (0, 0, 0), 0.25)
     lines.ring(surface, centre, foot, theme.WHITE, 1.5 * s, 1.0)
-    lines.dot(surface, centre, foot - 0.4 * s, theme.rgb("#1F6FB5") if safe else RED)
+    lines.dot(surface, centre, foot - 0.4 * s, theme.rgb("#1F6FB5") if safe else AMBER)
     lines.dot(surface, centre, 1.6 * s, theme.WHITE)
 
 

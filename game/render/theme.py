@@ -32,6 +32,8 @@ ACCENT = rgb("#7CC4FF")
 PRIMARY = rgb("#24659B")
 PRIMARY_EDGE = rgb("#4C92CC")
 ERROR = rgb("#FF8A7A")
+WARNING = rgb("#FFC56B")
+"""What was put right, or is unusual, and yet may be done."""
 GOOD = rgb("#7BD88F")
 WHITE = (255, 255, 255)
 HALO = rgb("#030E1A")

@@ -10,7 +10,7 @@ WORDS = {
     "law.mathavan": "Mathavan cushion",
     "set.law.mathavan": "Mathavan",
     "law.creates": "adds energy",
-    "notice.miscue": "The tip slips beyond the ring",
+    "notice.miscue": "Held at the ring: beyond it, a miscue",
     "notice.undo": "Nothing to undo",
     "notice.redo": "Nothing to redo",
     "notice.thickness.none": "No ball in the way",
@@ -44,7 +44,7 @@ WORDS = {
     "help.undo": "undo, redo",
     "help.mouse.aim": (
         "Mouse · drag on the table to aim, Shift: ten times finer; "
-        "wheel: turn, as Q and W · pull the cue back for power"
+        "wheel: turn, as @[turn 1] and @[turn -1] · pull the cue back for power"
     ),
     "help.mouse.cue": (
         "Drag tip point, elevation and power; the wheel works there too · "

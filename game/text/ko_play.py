@@ -10,7 +10,7 @@ WORDS = {
     "law.mathavan": "마타반 쿠션",
     "set.law.mathavan": "마타반",
     "law.creates": "에너지 증가",
-    "notice.miscue": "당점이 미스큐 한계 밖입니다",
+    "notice.miscue": "당점을 미스큐 한계에 두었습니다",
     "notice.undo": "되돌릴 것이 없습니다",
     "notice.redo": "다시 실행할 것이 없습니다",
     "notice.thickness.none": "맞는 공이 없습니다",
@@ -43,7 +43,7 @@ WORDS = {
     "help.event": "이전, 다음 사건으로",
     "help.undo": "되돌리기, 다시 실행",
     "help.mouse.aim": (
-        "마우스 · 당구대에서 끌어 조준, Shift: 열 배 정밀; 휠: Q, W처럼 회전 · "
+        "마우스 · 당구대에서 끌어 조준, Shift: 열 배 정밀; 휠: @[turn 1], @[turn -1]처럼 회전 · "
         "큐를 당겨 세기"
     ),
     "help.mouse.cue": "당점, 큐 각도, 세기를 끌기, 휠도 됨 · 두께 눈금 누르기 · 칸을 눌러 입력",

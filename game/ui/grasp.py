@@ -58,17 +58,23 @@ def on_cue(at: complex, sight: Sight) -> bool:
 
 
 def touch(where: Place, sight: Sight) -> Action | None:
-    """What a press on the cloth, or a drag from there, means."""
+    """What a press on the cloth, or a drag from there, means.
+
+    On the ball itself nothing: from there a pixel would be degrees.
+    """
     at = complex(*sight.layout.to_table(*where))
     fine = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
-    pointer = sight.pointer
+    pointer, on_ball = sight.pointer, _on_ball(at, sight)
     if pointer.pressing:
-        pointer.grip = _grip("cue" if on_cue(at, sight) else "", at, sight)
+        pointer.grip = _grip("cue" if not on_ball and on_cue(at, sight) else "", at, sight)
     grip = pointer.grip
-    if not isinstance(grip, Grip) or at == _ball(sight):
+    if not isinstance(grip, Grip):
         return None
     if grip.kind == "cue":
-        return None if pointer.pressing else _pulled(grip, at)
+        return _pulled(grip, at) if pointer.stirred else None
+    if on_ball:
+        pointer.grip = _grip("", at, sight)
+        return None
     if not fine:
         pointer.grip = _grip("", at, sight)
         return Action("set", f"angle {degrees(phase(at - _ball(sight))):.2f}")
@@ -76,6 +82,10 @@ def touch(where: Place, sight: Sight) -> Action | None:
         pointer.grip = _grip("fine", at, sight)
         return None
     return _turned(grip, at, sight)
+
+
+def _on_ball(at: complex, sight: Sight) -> bool:
+    return abs(at - _ball(sight)) <= sight.game.world.ball(sight.game.cue).radius
 
 
 def _grip(kind: str, at: complex, sight: Sight) -> Grip:
@@ -88,10 +98,8 @@ def _pulled(grip: Grip, at: complex) -> Action:
     return Action("power", f"{speed_at(grip.share + along / TRAVEL):.2f}")
 
 
-def _turned(grip: Grip, at: complex, sight: Sight) -> Action | None:
+def _turned(grip: Grip, at: complex, sight: Sight) -> Action:
     ball = _ball(sight)
-    if grip.at == ball:
-        return None
     turn = degrees(phase((at - ball) / (grip.at - ball)))
     return Action("set", f"angle {grip.angle + FINE * turn:.2f}")
 

@@ -33,8 +33,8 @@ def touch(at: Place, sight: Sight) -> Action | None:
             sight.pointer.grip = tuple(p - q for p, q in zip(near.position, spot, strict=True))
             return Action("hold", near.name)
         sight.pointer.grip = (0.0, 0.0)
-    off = sight.pointer.grip
-    if not isinstance(off, tuple):
+    off, pointer = sight.pointer.grip, sight.pointer
+    if not isinstance(off, tuple) or not (pointer.pressing or pointer.stirred):
         return None
     return Action("move", f"{spot[0] + off[0]:.5f} {spot[1] + off[1]:.5f}")
 

@@ -11,14 +11,15 @@ from game.render.layout import Layout
 from game.render.text import Type
 from game.render.theme import ACCENT, LINE_TRACK, PANEL, PANEL_RAISED, TEXT, TEXT_SOFT
 from game.text import words
-
-from .keycap import cap_name
+from game.text.keycap import cap_name
 
 ROW = 23
 KEY_COLUMN = 126
 PAD = 26
 Rows = tuple[tuple[str, str], ...]
-"""Keys and what they do: a key is written as it is, by its name, or "@" and the action it has."""
+"""Keys and what they do: a key is written as it is, by its name, or "@" and the action it has.
+
+What is held with it is written before."""
 Section = tuple[str, Rows]
 COLUMNS: tuple[tuple[Section, ...], ...] = (
     (
@@ -43,6 +44,8 @@ COLUMNS: tuple[tuple[Section, ...], ...] = (
             (
                 ("name.enter", "help.next"),
                 ("name.back", "help.back"),
+                ("← → Home End", "help.caret"),
+                ("Ctrl+A C X V", "help.paste"),
                 ("Tab, Shift", "help.tab"),
                 ("Esc", "help.esc"),
             ),
@@ -81,7 +84,7 @@ COLUMNS: tuple[tuple[Section, ...], ...] = (
                 ("@pause", "help.pause"),
                 ("@faster -1 @faster 1", "help.rate"),
                 ("@back @frame", "help.frame"),
-                ("Shift+, .", "help.event"),
+                ("Shift+@back @frame", "help.event"),
                 ("@home @skip", "help.skip"),
                 ("@undo @redo", "help.undo"),
             ),
@@ -119,10 +122,10 @@ def column(layout: Layout) -> int:
 
 def caption(key: str, w: Mapping[str, str], names: Mapping[str, str]) -> str:
     """Return what is written on the key, or the keys, of a row."""
-    if not key.startswith("@"):
+    held, *idents = key.split("@")
+    if not idents:
         return w.get(key, key)
-    idents = [ident.strip() for ident in key.split("@") if ident]
-    return " ".join(cap_name(names[ident], dict(w)) for ident in idents)
+    return held + " ".join(cap_name(names[ident.strip()], dict(w)) for ident in idents)
 
 
 def darken(surface: pygame.Surface) -> None:
@@ -137,7 +140,7 @@ def draw(
 ) -> pygame.Rect:
     """Draw the page over a darkened window; returns all of it.  `names`: the key of each action."""
     darken(surface)
-    s, w, rect = layout.s, words(language), panel(layout)
+    s, w, rect = layout.s, words(language, names), panel(layout)
     shapes.box(surface, rect, s, PANEL, LINE_TRACK)
     left, top = rect.x + round(PAD * s), rect.y + round(38 * s)
     type_.draw(surface, w["help.title"], (left, top), 20, TEXT)
@@ -165,7 +168,8 @@ def _section(
     s, (x, y) = type_.s, at
     type_.draw(surface, title, (x, y), 13, ACCENT)
     y += 8 * s
-    for name, said in rows:
+    for whole, said in rows:
+        name = type_.fitted(whole, 12, (KEY_COLUMN - 12) * s)
         cap = pygame.Rect(x, round(y), type_.width(name, 12) + round(12 * s), round(19 * s))
         shapes.box(surface, cap, s, PANEL_RAISED, LINE_TRACK, radius=4)
         base = cap.centery + type_.cap(12) / 2

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Hashable
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 import pygame
 
-from game import setup
-from game.actions import Action
+from game import editing, setup
+from game.actions import Action, character
 from game.fixture import (
     BANKS,
     FOUR_BALL,
@@ -19,13 +20,15 @@ from game.fixture import (
     MOST_POINTS,
     PENALTIES,
     SEATS,
-    SKILLS,
     TABLES,
     Fixture,
     Seat,
 )
 from game.match.sagu import FINISHES
+from game.numerals import typed
 from game.play import Game
+from game.render import textline
+from game.textfield import TextField
 
 from . import menuview
 from .menuview import BUTTONS, CLOSE, NOTHING, OUTSIDE, Spot
@@ -102,24 +105,27 @@ def _turned_seat(seat: Seat, row: Row, step: int) -> Seat:
     return seat
 
 
-def typed(fixture: Fixture, row: Row, text: str, fresh: bool) -> Fixture:
-    """The fixture with characters added to a name or a number; the first ones replace it."""
+def text_of(fixture: Fixture, row: Row) -> str:
+    """The text of a row that is typed into."""
     seat = fixture.seats[row.seat]
-    if row.name == "name":
-        kept = "" if fresh else seat.name
-        clean = "".join(c for c in text if c.isprintable())
-        return _seated(fixture, row, replace(seat, name=(kept + clean)[:LONGEST_NAME].lstrip()))
-    digits = "".join(c for c in text if c in "0123456789")
-    number = int(("" if fresh else str(seat.target)) + digits) if digits else seat.target
-    return _seated(fixture, row, replace(seat, target=min(max(number, 1), MOST_POINTS)))
+    return seat.name if row.name == "name" else str(seat.target)
 
 
-def erased(fixture: Fixture, row: Row) -> Fixture:
-    """The fixture with the last character of a name or a number gone."""
+def written(fixture: Fixture, row: Row, text: str) -> Fixture:
+    """The fixture with the text of a name or a number, which is kept within its bounds."""
     seat = fixture.seats[row.seat]
     if row.name == "name":
-        return _seated(fixture, row, replace(seat, name=seat.name[:-1]))
-    return _seated(fixture, row, replace(seat, target=max(seat.target // 10, 1)))
+        return _seated(fixture, row, replace(seat, name=text.lstrip()))
+    number = min(max(int(text or 1), 1), MOST_POINTS)
+    return _seated(fixture, row, replace(seat, target=number))
+
+
+def accepted(row: Row, text: str) -> str:
+    """What of a text a row takes: a name all that can be seen, a number only digits."""
+    if row.name == "name":
+        return "".join(c for c in unicodedata.normalize("NFC", text) if c.isprintable())
+    plain = typed(text).strip()
+    return plain if plain.isascii() and plain.isdecimal() else ""
 
 
 class Menu:
@@ -129,13 +135,20 @@ class Menu:
         self.fixture = Fixture()
         self.focus = 0
         self.over: Spot = NOTHING
-        self._fresh = True
-        """Will the next character replace what is in the row?"""
+        self.field: TextField | None = None
+        """The text of the row in focus, if it is one that is typed into."""
+        self.touched = False
+        """Has the text been edited since?  Until then arrows count a number up and down."""
+        self.refused = ""
+        """Why the last characters did not go into the row: "digits" or "full"."""
+        self._left: Row | None = None
+        """The row of text that was left last: a syllable may come only then."""
 
     def open(self, game: Game) -> None:
         """Begin with what is being played."""
         self.fixture = game.contest.fixture if game.contest else self._free(game)
-        self.focus, self._fresh = 0, True
+        self._left = None
+        self._focus(0)
 
     def _free(self, game: Game) -> Fixture:
         table = game.table if game.table in setup.TABLES else "medium"
@@ -158,12 +171,12 @@ class Menu:
 
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
-        return self.fixture, self.focus, self.over, self._fresh, sight.game.language
+        line = None if self.field is None else sight.line(self.field)
+        return self.fixture, self.focus, self.over, line, self.refused, sight.words["menu.title"]
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
         """Draw the menu; returns its rectangle."""
-        caret = not self._fresh
-        return menuview.draw(surface, sight, self.fixture, self.rows, self.focus, self.over, caret)
+        return menuview.draw(surface, sight, self)
 
     def handle(self, event: pygame.event.Event, sight: Sight) -> Action | None:
         """Return what an event means."""
@@ -178,7 +191,7 @@ class Menu:
         return None
 
     def _key(self, event: pygame.event.Event, sight: Sight) -> Action | None:
-        key, row = event.key, self.row
+        key, self._left, self.refused = event.key, None, ""
         always = sight.preferences.keys.always.get(key)
         if key == pygame.K_ESCAPE or always == Action("sheet", "menu"):
             return Action("sheet", "")
@@ -187,17 +200,37 @@ class Menu:
         if key in STEPS or key == pygame.K_TAB:
             back = getattr(event, "mod", 0) & pygame.KMOD_SHIFT
             self._go(STEPS.get(key, -1 if back else 1))
-        elif row is None:
+        elif self.row is None:
             return self._button_key(key)
         elif key in ENTER:
             self._go(1)
-        elif key == pygame.K_BACKSPACE and row.kind != "choice":
-            self.fixture, self._fresh = erased(self.fixture, row), False
-        elif key in TURNS:
-            self.fixture, self._fresh = turned(self.fixture, row, TURNS[key]), True
-        elif row.kind == "number":
-            self._type(chr(key) if key < 128 else "")
+        elif not self._edit(event, self.row):
+            self._turn(event, self.row)
         return None
+
+    def _edit(self, event: pygame.event.Event, row: Row) -> bool:
+        """Let a key edit the row, if it does."""
+        counts = row.kind == "number" and not self.touched
+        if self.field is None or (counts and event.key in TURNS):
+            return False
+        meant = editing.of_key(event)
+        action = editing.with_clipboard(meant, self.field)
+        if action is not None and action.name == "type":
+            self._type(str(action.value))
+        elif action is not None:
+            editing.do(self.field, action)
+            self.touched = True
+            self._write(row)
+        return meant is not None
+
+    def _turn(self, event: pygame.event.Event, row: Row) -> None:
+        if event.key in TURNS:
+            self.fixture = turned(self.fixture, row, TURNS[event.key])
+            self._focus(self.focus)
+        elif row.kind == "number" and not getattr(event, "mod", 0) & editing.COMMAND:
+            char = character(event) or (chr(event.key) if 32 <= event.key < 127 else "")
+            if char:
+                self._type(char)
 
     def _button_key(self, key: int) -> Action | None:
         place = self.focus - len(self.rows)
@@ -209,14 +242,44 @@ class Menu:
         return None
 
     def _go(self, step: int) -> None:
-        self.focus = (self.focus + step) % (len(self.rows) + len(BUTTONS))
-        self._fresh = True
+        self._left = self.row if self.typing else None
+        self._focus((self.focus + step) % (len(self.rows) + len(BUTTONS)))
+
+    def _focus(self, place: int) -> None:
+        """Go to a row, or to a button; all of its text is selected."""
+        self.focus, row = place, self.rows[place] if place < len(self.rows) else None
+        self.field, self.touched = None, False
+        if row is not None and row.kind != "choice":
+            longest = LONGEST_NAME if row.kind == "text" else len(str(MOST_POINTS))
+            self.field = TextField(text_of(self.fixture, row), longest)
 
     def _type(self, text: str) -> None:
         row = self.row
-        if row is not None and row.kind != "choice" and text:
-            self.fixture = typed(self.fixture, row, text, self._fresh)
-            self._fresh = False
+        if self.field is None or row is None:
+            self._late(text)
+            return
+        taken = accepted(row, text)
+        self.refused = "digits" if row.kind == "number" and text.strip() and not taken else ""
+        if taken and not self.field.type(taken):
+            self.refused = "full"
+        self.touched = True
+        self._write(row)
+
+    def _late(self, text: str) -> None:
+        """A syllable has come after the key that ended it, and with that its row."""
+        if self._left is not None:
+            name = text_of(self.fixture, self._left) + accepted(self._left, text)
+            self.fixture = written(self.fixture, self._left, name[:LONGEST_NAME])
+
+    def _write(self, row: Row) -> None:
+        """Bring what has been typed into the fixture; a number too large is made the largest."""
+        if self.field is None:
+            return
+        text = self.field.text
+        self.fixture = written(self.fixture, row, text)
+        if row.kind == "number" and int(text or 1) > MOST_POINTS:
+            most = text_of(self.fixture, row)
+            self.field, self.refused = TextField(most, len(most), anchor=len(most)), "full"
 
     def _press(self, at: tuple[int, int], sight: Sight) -> Action | None:
         self.over = spot = menuview.spot_at(at, sight, self.rows)
@@ -224,13 +287,25 @@ class Menu:
             return Action("sheet", "")
         if spot == NOTHING:
             return None
-        self.focus, self._fresh = spot.place, True
+        self._left = None
+        self._place_caret(spot.place, at, sight)
         row = self.row
         if row is None:
             return self._do(BUTTONS[spot.place - len(self.rows)])
         if spot.step:
             self.fixture = turned(self.fixture, row, spot.step)
+            self._focus(self.focus)
         return None
+
+    def _place_caret(self, place: int, at: tuple[int, int], sight: Sight) -> None:
+        """Go to a row; in the row of text in focus, to a place in it."""
+        if place != self.focus or not self.typing or self.field is None:
+            self._focus(place)
+            return
+        rect = menuview.row_rect(self.rows, place, sight.layout)
+        window, line = menuview.text_window(rect, sight), sight.line(self.field)
+        to = textline.place_at(window, sight.type, line, menuview.SIZE, at[0], "centre")
+        self.field.go(to)
 
     def _do(self, name: str) -> Action:
         match name:
@@ -240,12 +315,3 @@ class Menu:
                 return Action(name)
             case _:
                 return Action("sheet", name)
-
-
-def level_words(level: str, w: dict[str, str]) -> str:
-    """Say how much a level errs; "" for a person."""
-    skill = SKILLS.get(level)
-    if skill is None:
-        return ""
-    numbers = {"angle": f"{skill.angle:g}", "speed": f"{100 * skill.speed:g}"}
-    return w["level.error"].format(**numbers, tip=f"{skill.tip:g}")

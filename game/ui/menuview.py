@@ -7,22 +7,25 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import pygame
 
-from game.fixture import FREE, SKILLS, Fixture
-from game.render import shapes, theme
+from game.fixture import FREE, LONGEST_NAME, MOST_POINTS, SKILLS, Fixture
+from game.render import shapes, textline, theme
 from game.render.layout import Layout
+from game.render.textline import Line
 from game.render.theme import ACCENT, LINE_INPUT, PANEL_RAISED
 
 from . import pages
 from .parts import Sight
 
 if TYPE_CHECKING:
-    from .menu import Row
+    from .menu import Menu, Row
 
 BUTTONS = ("start", "shelf", "rules", "help", "settings", "quit")
 ROW, STRIDE = 38, 46
 HEAD = 26
 ARROW = 30
 LABEL = 132
+SIZE = 15
+"""Of the text of a row."""
 GROUP = 10
 """Room above a player's rows."""
 
@@ -69,6 +72,11 @@ def value_rect(rect: pygame.Rect, layout: Layout) -> pygame.Rect:
     return pygame.Rect(rect.x + left, rect.y, rect.w - left, rect.h)
 
 
+def text_window(rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+    """Return the room for the text of a row, between the arrows that it may have."""
+    return value_rect(rect, sight.layout).inflate(-2 * sight.layout.px(ARROW + 4), 0)
+
+
 def button_rects(layout: Layout) -> list[pygame.Rect]:
     """Return the buttons below the rows, the primary one first and wider."""
     area, height = pages.inside(layout), layout.px(pages.BUTTON)
@@ -102,35 +110,18 @@ def spot_at(at: tuple[int, int], sight: Sight, rows: Sequence[Row]) -> Spot:
 # -- what it looks like --------------------------------------------------------------------------
 
 
-def draw(
-    surface: pygame.Surface,
-    sight: Sight,
-    fixture: Fixture,
-    rows: Sequence[Row],
-    focus: int,
-    over: Spot,
-    caret: bool,
-) -> pygame.Rect:
+def draw(surface: pygame.Surface, sight: Sight, menu: Menu) -> pygame.Rect:
     """Draw the menu and return its rectangle."""
-    w, layout = sight.words, sight.layout
-    foot = _foot(w, fixture, rows[focus] if focus < len(rows) else None)
-    rect = pages.frame(surface, sight, w["menu.title"], foot, False, over == CLOSE)
-    _heads(surface, sight, fixture)
+    w, layout, rows, over = sight.words, sight.layout, menu.rows, menu.over
+    rect = pages.frame(
+        surface, sight, w["menu.title"], _foot(w, menu), bool(menu.refused), over == CLOSE
+    )
+    _heads(surface, sight, menu.fixture)
     for place, row in enumerate(rows):
-        spot = row_rect(rows, place, layout)
-        hot = over.step if over.place == place else 0
-        _row(surface, sight, spot, row, fixture, place == focus, hot, caret)
+        _row(surface, sight, row_rect(rows, place, layout), menu, place, row)
     for k, (name, spot) in enumerate(zip(BUTTONS, button_rects(layout), strict=True)):
-        place = len(rows) + k
-        pages.button(
-            surface,
-            spot,
-            sight.type,
-            w[f"menu.{name}"],
-            place == focus,
-            over.place == place,
-            k == 0,
-        )
+        focused, hot = menu.focus == len(rows) + k, over.place == len(rows) + k
+        pages.button(surface, spot, sight.type, w[f"menu.{name}"], focused, hot, k == 0)
     return rect
 
 
@@ -148,14 +139,19 @@ def _heads(surface: pygame.Surface, sight: Sight, fixture: Fixture) -> None:
         sight.type.draw(surface, line, at, size, theme.TEXT_SOFT)
 
 
-def _foot(w: dict[str, str], fixture: Fixture, row: Row | None) -> str:
+def _foot(w: dict[str, str], menu: Menu) -> str:
+    row, fixture = menu.row, menu.fixture
     if row is None:
         return w["menu.hint.button"]
+    if menu.refused:
+        return w[f"menu.refused.{row.name}"].format(most=MOST_POINTS, length=LONGEST_NAME)
     if row.name == "level":
         skill = SKILLS.get(fixture.seats[row.seat].level)
         if skill is not None:
             numbers = {"angle": f"{skill.angle:g}", "speed": f"{100 * skill.speed:g}"}
             return w["level.error"].format(**numbers, tip=f"{skill.tip:g}")
+    if row.kind == "number" and menu.touched:
+        return w["menu.hint.digits"]
     return w["menu.hint." + row.kind]
 
 
@@ -175,39 +171,36 @@ def value_word(row: Row, fixture: Fixture, w: dict[str, str]) -> str:
 
 
 def _row(
-    surface: pygame.Surface,
-    sight: Sight,
-    rect: pygame.Rect,
-    row: Row,
-    fixture: Fixture,
-    focused: bool,
-    hot: int,
-    caret: bool,
+    surface: pygame.Surface, sight: Sight, rect: pygame.Rect, menu: Menu, place: int, row: Row
 ) -> None:
     s, type_, w = sight.layout.s, sight.type, sight.words
-    box = value_rect(rect, sight.layout)
-    shapes.box(
-        surface, box, s, PANEL_RAISED, ACCENT if focused else LINE_INPUT, 2.0 if focused else 1.0
-    )
+    focused, box = menu.focus == place, value_rect(rect, sight.layout)
+    edge, width = (ACCENT, 2.0) if focused else (LINE_INPUT, 1.0)
+    shapes.box(surface, box, s, PANEL_RAISED, edge, width)
     base = rect.centery + type_.cap(13) / 2
-    label = w[f"row.{row.name}"]
+    label = type_.fitted(w[f"row.{row.name}"], 13, LABEL * s - 8)
     ink = theme.TEXT if focused else theme.TEXT_SOFT
-    type_.draw(surface, type_.fitted(label, 13, LABEL * s - 8), (rect.x, base), 13, ink)
-    said, tone = value_word(row, fixture, w), theme.TEXT
-    if row.name == "name" and not said and not (focused and caret):
-        said, tone = player_name(fixture, row.seat, w), theme.TEXT_FAINT
-    room = box.w - (2 * ARROW + 8) * s
-    base = rect.centery + type_.cap(15) / 2
-    shown = type_.draw(
-        surface, type_.fitted(said, 15, room), (box.centerx, base), 15, tone, "centre"
-    )
-    if focused and row.kind != "choice" and caret:
-        bar = pygame.Rect(shown.right + 1, 0, max(1, round(1.5 * s)), round(20 * s))
-        bar.centery = rect.centery
-        surface.fill(ACCENT, bar)
+    type_.draw(surface, label, (rect.x, base), 13, ink)
+    _value(surface, sight, rect, menu, row, focused)
     if row.kind != "text":
+        hot = menu.over.step if menu.over.place == place else 0
         for way, arrow in zip((-1, 1), arrows(rect, sight.layout), strict=True):
             _arrow(surface, arrow, s, way, focused or hot == way)
+
+
+def _value(
+    surface: pygame.Surface, sight: Sight, rect: pygame.Rect, menu: Menu, row: Row, focused: bool
+) -> None:
+    """Draw what a row says: with its caret where it is typed into."""
+    type_, w, window = sight.type, sight.words, text_window(rect, sight)
+    base = rect.centery + type_.cap(SIZE) / 2
+    line, tone = Line(type_.fitted(value_word(row, menu.fixture, w), SIZE, window.w)), theme.TEXT
+    if focused and menu.field is not None:
+        line = sight.line(menu.field)
+    if row.name == "name" and not line.whole.text:
+        usual = player_name(menu.fixture, row.seat, w)
+        line, tone = line._replace(text=type_.fitted(usual, SIZE, window.w)), theme.TEXT_FAINT
+    textline.draw(surface, window, type_, line, SIZE, base, tone, "centre")
 
 
 def player_name(fixture: Fixture, index: int, w: dict[str, str]) -> str:

@@ -3,25 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import pygame
 
 from game.actions import Action
 from game.aim import BOXES, MINUS, MOST, Fault, shown
-from game.play import Game
+from game.play import Game, Notice
 from game.preferences import Preferences
 from game.render import cards, fields, icons
 from game.render.layout import Layout
 from game.render.text import Type
+from game.render.textline import Line
 from game.settings import Settings
 from game.spread import Spread
 from game.text import words
+from game.textfield import TextField
 
 from . import prompts
+from .composing import Composition
 from .touch import Pointer
 
 Place = tuple[float, float]
+WARNINGS = ("miscue",)
+"""Notices of something that was put right, so that the shot can be played."""
 
 
 @dataclass(slots=True)
@@ -38,14 +43,19 @@ class Sight:
     """The right column: "aim" shows the next shot, "after" the last one."""
     portrait: Callable[[int], pygame.Surface] | None = None
     """The picture of a ball, by its place among the balls, for lists and plates."""
+    composition: Composition = field(default_factory=Composition)
 
     @property
     def words(self) -> dict[str, str]:
-        return words(self.game.language)
+        return words(self.game.language, self.preferences.keys.changed)
 
     @property
     def settings(self) -> Settings:
         return self.preferences.settings
+
+    def line(self, edited: TextField) -> Line:
+        """How a text that is being edited looks."""
+        return Line(edited.text, edited.caret, edited.selection, self.composition.text)
 
 
 Key = Callable[[Sight], Hashable]
@@ -99,14 +109,15 @@ def box_part(index: int, rect: pygame.Rect) -> Part:
         return _box_look(index, sight)
 
     def draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
-        value, state, caret, selected = _box_look(index, sight)
+        line, state = _box_look(index, sight)
         w = sight.words
-        unit = w["unit.angle" if BOXES[index] == "angle" else "unit.speed"]
+        unit = _unit(index, w)
         label = sight.type.fitted(_label(BOXES[index], w), 12, rect.w - 24 * sight.layout.s)
-        return fields.field(surface, rect, sight.type, label, value, unit, state, caret, selected)
+        args = (surface, rect, sight.type, label, line.text, unit, state)
+        return fields.field(*args, line=line)
 
     def touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
-        return Action("edit", index)
+        return _box_touch(index, at, rect, sight)
 
     return Part(f"box {index}", rect, key, draw, touch, spill=4)
 
@@ -116,21 +127,34 @@ def _label(box: str, w: dict[str, str]) -> str:
     return " · ".join(w[key] for key in (f"box.{box}", f"sign.{box}") if key in w)
 
 
-def _box_look(index: int, sight: Sight) -> tuple[str, str, int | None, bool]:
-    """Value, state, caret and selection of a box."""
+def _box_touch(index: int, at: Place, rect: pygame.Rect, sight: Sight) -> Action:
+    """The first press begins to edit all of the box, the next one chooses a place in it."""
+    edited = sight.game.aim.edited
+    if edited is None or sight.game.aim.box != index:
+        return Action("edit", index)
+    unit, text = _unit(index, sight.words), shown(edited.text)
+    return Action("caret", fields.caret_at(rect, sight.type, text, at[0], unit, edited.caret))
+
+
+def _unit(index: int, w: dict[str, str]) -> str:
+    return w["unit.angle" if BOXES[index] == "angle" else "unit.speed"]
+
+
+def _box_look(index: int, sight: Sight) -> tuple[Line, str]:
+    """What is in a box, and its state."""
     aim = sight.game.aim
-    value = shown(aim.texts[index])
-    caret = len(value) if aim.box == index else None
-    selected = caret is not None and aim.fresh and bool(value)
+    line, edited = Line(shown(aim.texts[index])), aim.box == index
+    if edited and aim.edited is not None:
+        line = sight.line(aim.edited)._replace(text=line.text)
     if any(f.box == index for f in aim.shown_faults):
         state = "invalid"
-    elif aim.box == index:
+    elif edited:
         state = "focused"
     elif sight.pointer.over == f"box {index}":
         state = "hover"
     else:
         state = "disabled" if sight.game.moving else "idle"
-    return value, state, caret, selected
+    return line, state
 
 
 # -- button and hint -----------------------------------------------------------------------------
@@ -141,15 +165,10 @@ def _shoot_look(sight: Sight) -> tuple[str, str, str]:
     game, w = sight.game, sight.words
     hot = sight.pointer.over == "shoot"
     state = ("pressed" if sight.pointer.down else "hover") if hot else "idle"
-    if own := prompts.button(game):
-        return w[own[0]], w[own[1]], state
-    if game.moving:
-        return w["stop"], w["key.space"], state
-    if sight.mode == "after":
-        return w["next"], w["key.enter"], state
-    if game.aim.shown_faults:
+    label, cap, action = prompts.button(game)
+    if action.name in ("fire", "next") and game.aim.shown_faults:
         state = "disabled"
-    return w["shoot"], w["key.enter"], state
+    return w[label], w[cap] if cap else "", state
 
 
 def _shoot_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -157,11 +176,7 @@ def _shoot_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyg
 
 
 def _shoot_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
-    if own := prompts.button(sight.game):
-        return own[2]
-    if sight.game.moving:
-        return Action("stop")
-    return Action("edit", 0) if sight.mode == "after" else Action("fire")
+    return prompts.button(sight.game)[2]
 
 
 def why(fault: Fault, w: dict[str, str], pattern: str = "fault") -> str:
@@ -174,15 +189,20 @@ def hint(game: Game, w: dict[str, str]) -> tuple[str, bool]:
     """The line of help, or of what went wrong."""
     aim = game.aim
     if game.notice is not None and game.notice.error:
-        return w["notice." + game.notice.key], True
+        return _noticed(game.notice, game, w), True
     if aim.wrong:
         faults = aim.faults
         return (why(faults[0], w, "wrong"), True) if faults else (w["wrong.mended"], True)
     if aim.shown_faults:
         return why(aim.shown_faults[0], w), True
     if game.notice is not None:
-        return w["notice." + game.notice.key], False
+        return _noticed(game.notice, game, w), False
     return w[prompts.hint(game) or "hint." + _situation(game)], False
+
+
+def _noticed(notice: Notice, game: Game, w: dict[str, str]) -> str:
+    names = {"law": w[f"law.{game.law}"], "engine": w[f"engine.{game.engine}"]}
+    return w[f"notice.{notice.key}"].format(**names)
 
 
 def _situation(game: Game) -> str:
@@ -197,12 +217,14 @@ def _situation(game: Game) -> str:
     return "rest" if game.shown_shot else "spent"
 
 
-def _hint_key(sight: Sight) -> Hashable:
-    return hint(sight.game, sight.words)
+def _hint_look(sight: Sight) -> tuple[str, bool, bool]:
+    """The line, whether it is an error, and whether it warns of what is done all the same."""
+    notice = sight.game.notice
+    return *hint(sight.game, sight.words), notice is not None and notice.key in WARNINGS
 
 
 def _hint_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
-    return fields.hint(surface, rect, sight.type, *hint(sight.game, sight.words))
+    return fields.hint(surface, rect, sight.type, *_hint_look(sight))
 
 
 # -- engine and read-outs ------------------------------------------------------------------------
@@ -215,6 +237,12 @@ def badge(game: Game, w: dict[str, str]) -> tuple[str, str]:
     if getattr(game.world.cushion_law, "creates_energy", False):
         table = f"{w['law.creates']} · {table}"
     return f"{w['engine.' + game.engine]} · {w['law.' + game.law]}", table
+
+
+def _short_badge(game: Game, w: dict[str, str]) -> str:
+    """Engine and laws where there is little room: neither is left out."""
+    law = w.get(f"set.law.{game.law}") or w[f"law.{game.law}"]
+    return f"{w['engine.short.' + game.engine]} · {law}"
 
 
 TOOLS = {"menu": Action("sheet", "menu"), "mute": Action("mute"), "settings": Action("settings")}
@@ -237,6 +265,8 @@ def _engine_key(sight: Sight) -> Hashable:
 def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     first, second = badge(sight.game, sight.words)
     kept = 24 * len(TOOLS)
+    if sight.type.width(first, 13) > rect.w - (42 + kept) * sight.layout.s:
+        first = _short_badge(sight.game, sight.words)
     cards.engine(surface, rect, sight.type, first, second, sight.words["corner"], kept=kept)
     pictures = {"mute": "silent" if sight.preferences.audio.silent else "sound"}
     for name, box in _tools(rect, sight).items():
@@ -270,7 +300,7 @@ def fixed_parts(layout: Layout) -> list[Part]:
     return [
         *(box_part(i, rect) for i, rect in enumerate(layout.fields)),
         Part("shoot", layout.shoot, _shoot_look, _shoot_draw, _shoot_touch),
-        Part("hint", layout.hint, _hint_key, _hint_draw),
+        Part("hint", layout.hint, _hint_look, _hint_draw),
         Part("engine", layout.engine, _engine_key, _engine_draw, _engine_touch),
         Part("read", layout.readouts, _readouts_key, _readouts_draw, mode="aim"),
         Part("read after", layout.readouts_after, _readouts_key, _readouts_draw, mode="after"),

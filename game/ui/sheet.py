@@ -31,7 +31,6 @@ class Sheet:
         """The first of the rows of keys that is shown."""
         self.over = sheetview.NOTHING
         """The part under the mouse."""
-        self._sliding = False
 
     typing = False
     """Characters are never typed here."""
@@ -60,10 +59,8 @@ class Sheet:
             self._scroll(-event.y, sight)
         elif event.type == pygame.MOUSEMOTION:
             self.over = sheetview.part_at(event.pos, sight, self.first)
-            slides = self._sliding and self.row.kind == "slider"  # a key may have moved the focus
-            return self._slide(event.pos, sight) if slides else None
-        elif event.type == pygame.MOUSEBUTTONUP:
-            self._sliding = False
+            if sight.pointer.grip == self.row.name:  # which a key may have left
+                return self._slide(event.pos, sight)
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             return self._press(event.pos, sight)
         return None
@@ -120,7 +117,7 @@ class Sheet:
             self.waiting = True
             return None
         if self.row.kind == "slider":
-            self._sliding = True
+            sight.pointer.grip = self.row.name
             return self._slide(at, sight)
         return chosen(self.row, key, current(self.row, sight.game, sight.settings)) if key else None
 

@@ -21,9 +21,9 @@ from game.render.theme import (
     TEXT_SOFT,
     Colour,
 )
+from game.text.keycap import cap_name
 
 from .choices import CHOSEN, KEYS, ROWS, Row, beside, current
-from .keycap import cap_name
 from .parts import Sight
 
 WIDTH, HEIGHT = 1128, 536

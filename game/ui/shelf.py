@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Hashable
 from typing import NamedTuple
 
 import pygame
 
-from game import clipboard, lineup
+from game import clipboard, editing, lineup
 from game.actions import Action
 from game.library import LONGEST_NAME, Library
 from game.lineup import MARK, LineError, Lineup
 from game.play import Game
+from game.render import textline
+from game.textfield import TextField
 
 from . import shelfview
 from .parts import Sight
@@ -45,7 +48,7 @@ class Shelf:
         self.library = library or Library()
         self.group, self.focus = 0, 0
         self.over = Spot("")
-        self.text = ""
+        self._field = TextField("", LONGEST)
         self.said: tuple[str, str] = ("", "")
         """Key of the texts and a word in it: what came of the last action."""
         self._ready: list[lineup.Ready] = []
@@ -65,6 +68,20 @@ class Shelf:
         """Do characters go into the box?"""
         return self.focus == len(self.cards)
 
+    @property
+    def text(self) -> str:
+        """What is in the box."""
+        return self._field.text
+
+    @text.setter
+    def text(self, text: str) -> None:
+        self._field = TextField(text[:LONGEST], LONGEST, anchor=len(text[:LONGEST]))
+
+    @property
+    def field(self) -> TextField | None:
+        """The text in the box while it has the focus."""
+        return self._field if self.typing else None
+
     def open(self, game: Game) -> None:
         """Begin with the group of the game that is played."""
         self._game = game
@@ -77,8 +94,8 @@ class Shelf:
 
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
-        names = tuple(card.name for card in self.cards)
-        return self.group, self.focus, self.over, self.text, self.said, names, sight.game.language
+        names, line = tuple(card.name for card in self.cards), sight.line(self._field)
+        return self.group, self.focus, self.over, line, self.said, names, sight.words["shelf.title"]
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
         """Draw the shelf; returns its rectangle."""
@@ -98,8 +115,9 @@ class Shelf:
         return None
 
     def _type(self, text: str) -> None:
-        self.text = (self.text + "".join(c for c in text if c.isprintable()))[:LONGEST]
-        self.said = ("", "")
+        plain = unicodedata.normalize("NFC", text)
+        fits = self._field.type("".join(c for c in plain if c.isprintable()))
+        self.said = ("" if fits else "shelf.unfit", "")
 
     def _key(self, event: pygame.event.Event, sight: Sight) -> Action | None:
         key, mod = event.key, getattr(event, "mod", 0)
@@ -108,6 +126,8 @@ class Shelf:
             return Action("sheet", "")
         if always is not None and always.name in ("language", "help", "sheet"):
             return always
+        if self.typing and self._edit(event):
+            return None
         if mod & pygame.KMOD_CTRL and key in (pygame.K_c, pygame.K_v):
             return self._do("copy" if key == pygame.K_c else "paste")
         if key == pygame.K_TAB:
@@ -118,11 +138,24 @@ class Shelf:
             self._go(STEPS[key])
         elif key in ENTER:
             return self._enter()
-        elif key == pygame.K_BACKSPACE and self.typing:
-            self.text, self.said = self.text[:-1], ("", "")
         elif key == pygame.K_DELETE:
             return self._do("delete")
         return None
+
+    def _edit(self, event: pygame.event.Event) -> bool:
+        """Let a key edit the box, if it does; a whole set-up is still copied and pasted there."""
+        action = editing.of_key(event)
+        if action is None or (action.name == "copy" and not self._field.selected):
+            return False
+        if action.name == "paste" and clipboard.get().startswith(MARK):
+            return False
+        done = editing.with_clipboard(action, self._field)
+        self.said = ("", "")
+        if done is not None and done.name == "type":
+            self._type(str(done.value))
+        elif done is not None:
+            editing.do(self._field, done)
+        return True
 
     def _show(self, group: int) -> None:
         self.group, self.focus = group % len(GROUPS), 0
@@ -174,11 +207,18 @@ class Shelf:
                 self.focus = shelfview.first_shown(self.focus, len(self.cards)) + spot.place
                 return self._enter() if self.focus < len(self.cards) else None
             case "box":
-                self.focus = len(self.cards)
+                self._place_caret(at, sight)
             case "button":
                 self.focus = len(self.cards) + 1 + spot.place
                 return self._do(BUTTONS[spot.place])
         return None
+
+    def _place_caret(self, at: tuple[int, int], sight: Sight) -> None:
+        """Go to the box; in it, to a place in its text."""
+        if self.typing:
+            window, line = shelfview.text_window(sight), sight.line(self._field)
+            self._field.go(textline.place_at(window, sight.type, line, shelfview.SIZE, at[0]))
+        self.focus = len(self.cards)
 
     def _do(self, name: str) -> Action | None:
         """What a button does."""
@@ -212,7 +252,7 @@ class Shelf:
         try:
             lineup.read(text)
         except LineError as error:
-            self.text, self.said = text[:LONGEST], (f"line.{error.reason}", error.word)
+            self.text, self.said = text, (f"line.{error.reason}", error.word)
             return None
         self.text, self.said = "", ("", "")
         return Action("line", text)

@@ -9,8 +9,9 @@ import pygame
 
 from game import setup
 from game.lineup import Lineup
-from game.render import shapes, theme
+from game.render import shapes, textline, theme
 from game.render.layout import Layout
+from game.render.textline import Line
 from game.render.theme import ACCENT, LINE, LINE_INPUT, PANEL_RAISED, mix
 
 from . import pages
@@ -24,6 +25,8 @@ GROUPS = ("sagu", "three_cushion", "scenes", "own")
 BUTTONS = ("save", "copy", "shot", "paste", "delete")
 COLUMNS, ROWS = 5, 2
 TAB, BOX, GAP = 34, 38, 10
+SIZE = 13
+"""Of the text in the box."""
 NAME = 26
 """Room for a card's name, px at s = 1."""
 FINER = 3
@@ -68,6 +71,11 @@ def box_rect(layout: Layout) -> pygame.Rect:
     """Return the box for a name or a line."""
     area, height = pages.inside(layout), layout.px(BOX)
     return pygame.Rect(area.x, area.bottom - 2 * height - layout.px(GAP), area.w, height)
+
+
+def text_window(sight: Sight) -> pygame.Rect:
+    """Return the room for the text in the box."""
+    return box_rect(sight.layout).inflate(-2 * round(12 * sight.layout.s), 0)
 
 
 def button_rects(layout: Layout) -> list[pygame.Rect]:
@@ -145,23 +153,15 @@ def _cards(surface: pygame.Surface, sight: Sight, shelf: Shelf) -> None:
 
 
 def _box(surface: pygame.Surface, sight: Sight, shelf: Shelf) -> None:
-    s, type_, w = sight.layout.s, sight.type, sight.words
-    rect, focused = box_rect(sight.layout), shelf.typing
+    s, type_, window = sight.layout.s, sight.type, text_window(sight)
+    rect, focused = box_rect(sight.layout), shelf.field is not None
     edge = ACCENT if focused else LINE_INPUT
     shapes.box(surface, rect, s, PANEL_RAISED, edge, 2.0 if focused else 1.0, ring=focused)
-    base = rect.centery + type_.cap(13) / 2
-    left, right = rect.x + 12 * s, rect.right - 12 * s
-    if not shelf.text:
-        said = type_.fitted(w["shelf.box"], 13, right - left)
-        type_.draw(surface, said, (left, base), 13, theme.TEXT_FAINT)
-    shown = shelf.text
-    while shown and type_.width(shown, 13) > right - left:
-        shown = shown[max(1, len(shown) // 16) :]
-    end = type_.draw(surface, shown, (left, base), 13, theme.TEXT).right if shown else round(left)
-    if focused:
-        bar = pygame.Rect(end + 1, 0, max(1, round(1.5 * s)), round(20 * s))
-        bar.centery = rect.centery
-        surface.fill(ACCENT, bar)
+    line, tone = sight.line(shelf.field) if shelf.field else Line(shelf.text), theme.TEXT
+    if not line.whole.text:
+        said = type_.fitted(sight.words["shelf.box"], SIZE, window.w)
+        line, tone = line._replace(text=said), theme.TEXT_FAINT
+    textline.draw(surface, window, type_, line, SIZE, rect.centery + type_.cap(SIZE) / 2, tone)
 
 
 @lru_cache(maxsize=128)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable
+from math import dist
 
 import pygame
 
@@ -12,9 +13,11 @@ from game.preferences import Preferences
 from game.render.layout import Layout
 from game.render.text import Type
 from game.spread import Spread
+from game.textfield import TextField
 
 from . import help as page
 from . import question
+from .composing import Composition
 from .marks import aiming
 from .menu import Menu
 from .pages import Page
@@ -25,7 +28,7 @@ from .rules import Rules
 from .sheet import Sheet
 from .shelf import Shelf
 from .stage import Stage
-from .touch import Pointer
+from .touch import SLACK, Pointer
 
 STILL = 0.15
 """Seconds after which an aim counts as still."""
@@ -48,6 +51,7 @@ class View:
         self.sheets: dict[str, Page] = {
             "settings": Sheet(), "menu": Menu(), "shelf": Shelf(), "rules": Rules(),
         }  # fmt: skip
+        self.composition = Composition()
         self.question: Question | None = None
         """What is asked over the page before it is done."""
         self.preferences = preferences or Preferences()
@@ -66,8 +70,18 @@ class View:
 
     @property
     def typing(self) -> bool:
-        """Do characters go into the page over the table?"""
-        return self.question is None and self.sheet.typing
+        """Do characters go into a box, or into the page over the table?"""
+        if self.game.sheet:
+            return self.question is None and self.sheet.typing
+        return self.game.aim.box is not None and not self.game.help
+
+    @property
+    def field(self) -> TextField | None:
+        """The text that keys edit: of a box, or of the page over the table if it has one."""
+        if not self.game.sheet:
+            return self.game.aim.edited
+        found = None if self.question is not None else getattr(self.sheet, "field", None)
+        return found if isinstance(found, TextField) else None
 
     def pass_on(self, event: pygame.event.Event) -> Action | None:
         """Return what an event means for the page over the table, or for the question over it."""
@@ -88,6 +102,12 @@ class View:
             self.question = None
         return asked.action if said else None
 
+    def meant(self, event: pygame.event.Event) -> list[pygame.event.Event]:
+        """Return an event, or those that take its place around what is being composed."""
+        if self.typing or event.type == pygame.TEXTINPUT:
+            return self.composition.take(event)
+        return [] if event.type == pygame.TEXTEDITING else [event]
+
     def renew(self, length: float, width: float) -> None:
         """Show another table, or the same one with other balls."""
         self._table = length, width
@@ -103,12 +123,13 @@ class View:
         layout = Layout(size, *self._table)
         given = self.pointer, self.preferences, self.spread
         self.sight = Sight(self.game, layout, Type(layout.s), *given)
+        self.sight.composition = self.composition
         self.stage = Stage(layout, self.game, self.preferences.settings, self.spread)
         self.sight.portrait = self.stage.sprites.portrait
         self.parts = fixed_parts(layout) + shot_parts(layout)
         self._drawn: dict[str, Hashable] = {}
         self._mode = ""
-        self._news: tuple[int, str, str] | None = None
+        self._news: Hashable = None
         self._overlay: Hashable = None
         self._sheet_look: Hashable = None
         self._behind: pygame.Surface | None = None
@@ -184,7 +205,7 @@ class View:
         return [surface.get_rect()]
 
     def _draw_parts(self, surface: pygame.Surface) -> list[pygame.Rect]:
-        news = (self.game.news, self.pointer.over, self.pointer.held)
+        news = self.game.news, self.pointer.over, self.pointer.held, self.composition.text
         if news == self._news:
             return []
         self._news = news
@@ -232,6 +253,7 @@ class View:
         self.hover(at)
         part = self._at(at)
         self.pointer.held, self.pointer.grip = part.name if part else "", None
+        self.pointer.began, self.pointer.stirred = at, False
         self.pointer.pressing = True
         action = part.touch(at, part.rect, self.sight) if part else None
         self.pointer.pressing = False
@@ -239,14 +261,18 @@ class View:
 
     def drag(self, at: tuple[int, int]) -> Action | None:
         """Return what moving the mouse with the button held means."""
+        pointer = self.pointer
+        pointer.stirred |= dist(at, pointer.began) > SLACK * self.sight.layout.s
         for part in self._shown():
             if part.name == self.pointer.held and part.drags:
                 return part.touch(at, part.rect, self.sight)
         return None
 
-    def release(self) -> None:
-        """The button is up."""
+    def release(self) -> bool:
+        """The button is up, or what it held is covered; returns whether anything was held."""
+        held = bool(self.pointer.held) or self.pointer.grip is not None
         self.pointer.held, self.pointer.grip = "", None
+        return held
 
     def wheel(self, steps: int) -> Action | None:
         """Return what turning the wheel up means where the mouse is."""
