@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from . import laws
-from .ball import Ball
+from .ball import Ball, Placed
 from .cloth import Cloth
 from .engine import EventBudgetError, EventDriven
 from .log import Contact, Event, Leg, Log, State
@@ -42,7 +42,7 @@ def __getattr__(name: str) -> Any:
 
 __all__ = [
     "Ball", "Cloth", "Contact", "CueStroke", "EnergyGainWarning", "Event", "EventBudgetError",
-    "EventDriven", "Leg", "Log", "Outcomes", "Recovered", "Sensitivity", "Shot", "State",
+    "EventDriven", "Leg", "Log", "Outcomes", "Placed", "Recovered", "Sensitivity", "Shot", "State",
     "TimeStepping", "Wall", "World", "heights", "laws", "ledger", "recover", "scenes",
     "sensitivity", "simulate", "simulate_many", "store", "tables", "trace",
 ]  # fmt: skip

@@ -85,9 +85,10 @@ def _job(
     """Who plays the shots."""
     if isinstance(world.engine, EventDriven) and world.cluster_law is None:
         choice = _choose(world, shots, compiled)
-        balls = world.copy().balls
-        struck = next(k for k, ball in enumerate(balls) if ball.name == name)
-        before = np.array([start(ball.disturb()) for ball in balls])
+        copy = world.copy()
+        copy.part()
+        struck = next(k for k, ball in enumerate(copy.balls) if ball.name == name)
+        before = np.array([start(ball.disturb()) for ball in copy.balls])
         return Job(world.scene, before, struck, world.engine.budget, choice, CHUNK)
     if compiled:
         raise ValueError("this engine or cluster law runs interpreted: compiled=True cannot be")

@@ -1,17 +1,21 @@
 """The world: balls, walls and laws on one cloth, and the moment they are at."""
 
+from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
 from math import inf
 from typing import TypeVar
 
 from . import laws
-from .ball import DISTURBED, Ball, Clock
+from .ball import DISTURBED, Ball, Clock, Placed
 from .checks import finite, nonnegative
-from .cloth import Cloth
-from .engine import Engine, EventDriven
+from .cloth import Cloth, a_cloth
+from .engine import Engine, EventDriven, an_engine
 from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_grid
-from .kernel.motion import OFF, RESTING, carry, length
+from .kernel.motion import OFF, RESTING, length
 from .log import Log
+from .parting import part
 from .places import check_places
+from .record import foresees
 from .shot import Shot
 from .wall import Wall
 
@@ -28,9 +32,9 @@ class World:
     """
 
     __slots__ = (  # so that a misspelt name is an error, and not an attribute that nobody reads
-        "__weakref__", "_asking", "_ball_law", "_balls", "_clock", "_cloth", "_cluster_law",
-        "_cushion_law", "_engine", "_index", "_told", "_walls", "_watched", "allowed", "due", "log",
-        "planned", "scene",
+        "__weakref__", "_asking", "_ball_law", "_balls", "_checked", "_clock", "_cloth",
+        "_cluster_law", "_cushion_law", "_engine", "_index", "_told", "_walls", "_watched",
+        "allowed", "due", "log", "planned", "scene",
     )  # fmt: skip
 
     def __init__(
@@ -40,8 +44,8 @@ class World:
         cushion_law: str | laws.CushionLaw = "rigid",
         engine: Engine | None = None,
     ) -> None:
-        self._cloth = Cloth() if cloth is None else _cloth(cloth)
-        self._engine: Engine = EventDriven() if engine is None else _engine(engine)
+        self._cloth = Cloth() if cloth is None else a_cloth(cloth)
+        self._engine: Engine = EventDriven() if engine is None else an_engine(engine)
         self._ball_law = laws.ball_law(ball_law)
         self._cushion_law = laws.cushion_law(cushion_law)
         self._cluster_law: laws.HertzCluster | None = None
@@ -52,6 +56,7 @@ class World:
         self._told: list[object] = []  # the laws from outside that were found to gain energy
         self._index: dict[str, int] = {}
         self._walls: list[Wall] = []
+        self._checked = 0  # how many of the walls all balls are known to be inside of
         self.log = Log()
         self.log.watch(self._walls)
         self.scene = Scene(
@@ -121,7 +126,7 @@ class World:
     @cloth.setter
     def cloth(self, cloth: Cloth) -> None:
         self._refuse_laws("cloth")
-        self._cloth = _cloth(cloth)
+        self._cloth = a_cloth(cloth)
         self._disturb()
         self._clock.cloth = cloth.felt()
         self.scene = self.scene._replace(cloth=self._clock.cloth)
@@ -170,7 +175,9 @@ class World:
     @engine.setter
     def engine(self, engine: Engine) -> None:
         self._refuse_laws("engine")
-        self._engine = _engine(engine)
+        engine = an_engine(engine)
+        self._clock.loose |= not foresees(self)
+        self._engine = engine
         self._disturb()
         self._renew_rules()
 
@@ -246,17 +253,49 @@ class World:
             body = ball.disturb()
             body.velocity, body.roll, body.side, body.climb = 0j, 0j, 0.0, 0.0
 
+    def layout(self) -> tuple[Placed, ...]:
+        """How all balls lie or move at this moment, in their order, to the last digit."""
+        return tuple(ball.placed for ball in self._balls)
+
+    def recall(self, layout: Sequence[Placed]) -> None:
+        """Put all balls back as a `layout` had them; ValueError if it has another number of them.
+
+        They may overlap, as fixed steps leave them: an exact engine parts them when one moves.
+        """
+        self._refuse_laws("recall")
+        if len(layout) != len(self._balls):
+            raise ValueError(f"the layout is of {len(layout)} balls, not of {len(self._balls)}")
+        for ball, placed in zip(self._balls, layout, strict=True):
+            ball.placed = placed
+        self._clock.moved = self._clock.loose = True
+        self.trust()
+
+    def trust(self) -> None:
+        """That balls overlap as they lie now is no fault of the caller's."""
+        self._checked = len(self._walls)
+        for ball in self._balls:
+            ball.put = False
+
+    def part(self) -> None:
+        """Part balls that fixed steps have left overlapping, unless fixed steps move them on."""
+        if self._clock.loose and foresees(self):
+            part(self._balls, self._walls)
+            self._clock.loose = False
+
     def step(self, dt: float) -> None:
         """Let dt seconds pass; n steps of dt / n lead to the same rest, bit for bit, for any n."""
         nonnegative("World.step dt", dt)
         self._refuse_laws("step")
-        if self._watched:
-            from .watch import undone
-
-            with undone(self):
-                self._step(dt)
-        else:
+        with self._guard():
             self._step(dt)
+
+    def _guard(self) -> AbstractContextManager[None]:
+        """If a law from outside makes a run fail, it is undone."""
+        if not self._watched:
+            return nullcontext()
+        from .watch import undone
+
+        return undone(self)
 
     def _step(self, dt: float) -> None:
         clock = self._clock
@@ -274,18 +313,10 @@ class World:
             until = finite("World.run until", until)
         if until < self.time:
             raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
-        if self._watched:
-            from .watch import undone
-
-            with undone(self):
-                self._run(until)
-        else:
-            self._run(until)
-
-    def _run(self, until: float) -> None:
-        self.plan()
-        reached = self._engine.advance(self, until)
-        self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
+        with self._guard():
+            self.plan()
+            reached = self._engine.advance(self, until)
+            self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
 
     def reached(self, now: float) -> None:
         """For the engine, which must stop early: how far it came, seconds since the epoch."""
@@ -331,24 +362,20 @@ class World:
             # fixed steps notice a contact when things overlap by what they move in a step
             fastest = max((length(complex(*ball.velocity)) for ball in self._balls), default=0.0)
             slack = 2.0 * fastest * getattr(self._engine, "dt", 0.0)
-            check_places(self._balls, self._walls, self.scene.cushion_rule, slack)
+            fresh = self._walls[self._checked :]
+            check_places(self._balls, self._walls, fresh, self.scene.cushion_rule, slack)
+            self.trust()
             self._lay_grid()
+        if clock.loose and not self.at_rest:
+            self.part()
         if all(body.phase in (RESTING, OFF, DISTURBED) for body in bodies):
-            self._begin_epoch()
+            clock.begin_epoch(bodies)
         self.planned = self.time
         self._engine.plan(self, [i for i, body in enumerate(bodies) if body.phase == DISTURBED])
         clock.disturbed = clock.moved = False
         for i, body in enumerate(bodies):
             if not self.log.knows(i):
                 self.log.begin(i, clock.epoch, body, clock.cloth.fade)
-
-    def _begin_epoch(self) -> None:
-        """Count time from now on: the same shot has the same digits, whenever it is played."""
-        clock = self._clock
-        for body in self.scene.balls:
-            carry(body, clock.now, clock.cloth)
-            body.since = 0.0
-        clock.epoch, clock.now = clock.epoch + clock.now, 0.0
 
     def _lay_grid(self) -> None:
         """Cells for many balls, in place of the table of all their meetings."""
@@ -357,18 +384,6 @@ class World:
             spots = [body.position for body in self.scene.balls]
             cells = grid(spots, max(ball.radius for ball in self._balls))
             self.scene = self.scene._replace(celled=True, grid=cells, meetings=[])
-
-
-def _cloth(cloth: Cloth) -> Cloth:
-    if not isinstance(cloth, Cloth):
-        raise ValueError(f"a world's cloth is a Cloth, not {cloth!r}")
-    return cloth
-
-
-def _engine(engine: Engine) -> Engine:
-    if isinstance(engine, type) or not all(hasattr(engine, a) for a in ("vmin", "plan", "advance")):
-        raise ValueError(f"an engine is an EventDriven(...) or TimeStepping(...), not {engine!r}")
-    return engine
 
 
 def simulate(world: World, ball: Ball | str, shot: Shot) -> World:
