@@ -39,7 +39,7 @@ def _sigterm_closes_the_window() -> Iterator[None]:
         pygame = sys.modules.get("pygame")
         if pygame is None or not getattr(pygame, "display", None) or not pygame.display.get_init():
             raise SystemExit(0)
-        pygame.event.post(pygame.event.Event(pygame.QUIT))
+        pygame.event.post(pygame.event.Event(pygame.QUIT, sure=True))
 
     before = signal.signal(signal.SIGTERM, leave)
     try:
@@ -118,6 +118,8 @@ def new_game(options: Options) -> Game:
     world = setup.scene_world(options.scene) if options.scene else setup.table_world(options.table)
     game = Game(world, options.substeps, options.seed, options.scene or options.table)
     game.language = options.lang
+    if "engine" in options.given:
+        game.match_engine = options.engine
     if options.law:
         choices.law(game, options.law)
     if options.cloth != "table":

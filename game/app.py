@@ -22,7 +22,7 @@ from .replay import Replay
 from .script import Script
 from .setup import size as table_size
 from .thinker import Thinker
-from .ui import hand
+from .ui import hand, question
 from .ui.view import View
 
 TITLE = "danggu"
@@ -136,7 +136,7 @@ class App:
         if event.type in MOUSE:
             event = self.canvas.translated(event)
         if event.type == pygame.QUIT:
-            self.perform(Action("quit"))
+            self._quit(event)
         elif self.replay is not None and event.type in OVERLAID:
             self._watch(self.replay, event)
         elif self.game.sheet and event.type in OVERLAID:
@@ -155,9 +155,16 @@ class App:
             self.view.expose()
             self._shown_version = -1
 
-    def perform(self, action: Action | None, human: bool = True) -> None:
-        """Do an action and note it with its tick; the computer's turn leaves a person few."""
+    def perform(self, action: Action | None, human: bool = True, sure: bool = False) -> None:
+        """Do an action and note it with its tick; the computer's turn leaves a person few.
+
+        What a person wants that ends or changes a running match is asked about first, unless that
+        is `sure`.
+        """
         if action is None or (human and self.thinker.takes(action)):
+            return
+        if human and not sure and self.replay is None and question.due(action, self.game):
+            self._ask(action)
             return
         if self.preferences.perform(action):
             self._restyle(action)
@@ -173,6 +180,22 @@ class App:
         self._sync_typing()
         if sheet == "settings" != self.game.sheet or action.name == "quit":
             self._save()
+
+    def _quit(self, event: pygame.event.Event) -> None:
+        """Leave; a second time without being asked, and on a signal at once."""
+        asked = self.view.question
+        twice = asked is not None and asked.action == Action("quit")
+        self.perform(Action("quit"), sure=twice or getattr(event, "sure", False))
+
+    def _ask(self, action: Action) -> None:
+        """Ask over the page that is open, or over the table."""
+        if self.game.help:
+            self.perform(Action("help"))
+        if not self.game.sheet:
+            self.perform(Action("sheet", "ask"))
+        self.view.ask(action)
+        self._shown_version = -1
+        self._sync_typing()
 
     def _act(self, action: Action) -> None:
         """Let the game do it, with what keeps or compares its record looking on."""
@@ -254,10 +277,13 @@ class App:
     def _sheet(self, event: pygame.event.Event) -> None:
         """Take an event that is meant for the page over the table."""
         self._shown_version = -1
+        asked = self.view.question
         action = self.view.pass_on(event)
+        if self.view.question is None and self.game.sheet == "ask":
+            self.perform(Action("sheet", ""))
         if action is not None:
             self.view.expose()  # what it changes shows behind the page too
-            self.perform(action)
+            self.perform(action, sure=asked is not None and action == asked.action)
         self._sync_typing()
 
     def _text(self, event: pygame.event.Event) -> None:

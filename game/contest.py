@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from math import atan2, degrees, dist
 from typing import TYPE_CHECKING, NamedTuple
 
+from . import playhead
 from .aim import plain
 from .fixture import FREE, HUMAN, SKILLS, START, Fixture
 from .match.match import Match
@@ -35,6 +36,7 @@ class Contest:
     verdict  on the last stroke, None before the first one and while balls move
     shooter  index of the player who made it
     pending  whether a stroke has yet to be judged
+    given    whether the player at the table has the boxes; they hold the last stroke until then
     share    of strokes like the one intended that would score, for the picture: the computer's
     """
 
@@ -43,6 +45,7 @@ class Contest:
     verdict: Verdict | None = None
     shooter: int = 0
     pending: bool = False
+    given: bool = False
     share: float | None = None
     thinking: bool = False
     _before: Standing | None = None
@@ -83,11 +86,12 @@ class Contest:
     def struck(self, texts: list[str]) -> None:
         """The stroke in the five texts has been made."""
         self._before = self.snapshot()
-        self.shooter, self.verdict, self.pending = self.match.at, None, True
+        self.shooter, self.verdict = self.match.at, None
+        self.pending = self.given = True
         self._entries[self.shooter] = list(texts)
 
     def rested(self, game: Game) -> None:
-        """All balls lie still: judge the stroke, and let the next player have the boxes."""
+        """All balls lie still: judge the stroke, and let the next player have the cue ball."""
         if not self.pending:
             return
         self.pending, game.notice = False, None
@@ -96,18 +100,27 @@ class Contest:
         self.seat(game)
 
     def settled(self, game: Game) -> Verdict | None:
-        """The verdict on the stroke that still runs, once nothing can change it any more."""
-        if not self.pending:
+        """The verdict on the stroke at the moment on show, if nothing can change it any more."""
+        stroke, now = self._before, playhead.moment(game)
+        if stroke is None or not game.shown_shot:
             return None
-        so_far = self.match.judged(game.world.log.contacts())
-        return so_far if self.match.rules.settles(so_far) else None
+        so_far = stroke.match.judged(c for c in game.world.log.contacts() if c.time <= now)
+        return so_far if stroke.match.rules.settles(so_far) else None
 
     def seat(self, game: Game) -> None:
-        """Give cue ball and boxes to the player at the table, aimed at a ball to hit first."""
+        """Give the cue ball to the player at the table; the boxes follow with the next aim.
+
+        What somebody has typed or completed meanwhile stays.
+        """
         game.cue = self.match.cue
         self.share = None
-        if game.aim.box is not None or self.level is not None:
+        self.given = game.aim.box is not None or game.aim.complete
+
+    def give_boxes(self, game: Game) -> None:
+        """Let the player at the table have the boxes, aimed at a ball to hit first; only once."""
+        if self.given or self.level is not None:
             return
+        self.given = True
         speed_and_spins = self._entries.get(self.match.at, [*START])[: len(START)]
         game.aim.texts = [*speed_and_spins, self._angle(game)]
 
@@ -128,7 +141,7 @@ class Contest:
     def restore(self, game: Game, standing: Standing) -> None:
         """Stand again as then, with the boxes as they are; the balls are not moved."""
         self.match, self.verdict, self.shooter = standing
-        self.pending, self.share = False, None
+        self.pending, self.given, self.share = False, True, None
         game.cue = self.match.cue
 
     def take_back(self, game: Game) -> None:

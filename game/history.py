@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from physics import State, World
+from physics import Placed, World
 
 from .playhead import skip
 
@@ -17,10 +17,12 @@ class Moment(NamedTuple):
     """A table with what its player was about to do."""
 
     world: World
-    states: tuple[State, ...]
+    layout: tuple[Placed, ...]
     texts: tuple[str, ...]
     complete: bool
     moving: bool
+    shown: bool
+    """Was the last shot on show, with its numbers in the boxes?"""
     shots: int
     cue: str
     kept: tuple[object, ...]
@@ -28,16 +30,16 @@ class Moment(NamedTuple):
 
     def same_table(self, other: Moment) -> bool:
         """Do the balls lie, or move, alike?"""
-        return self.world is other.world and self.states == other.states
+        return self.world is other.world and self.layout == other.layout
 
 
 def moment(game: Game) -> Moment:
     """The game as it is now."""
-    states = tuple(game.layout())
-    aim, kept = game.aim, tuple(take() for take, _ in game.history.keepers)
-    return Moment(
-        game.world, states, tuple(aim.texts), aim.complete, game.moving, game.shots, game.cue, kept
-    )
+    aim, world = game.aim, game.world
+    kept = tuple(take() for take, _ in game.history.keepers)
+    shown = game.shown_shot and not game.moving
+    table = world, world.layout(), (*aim.texts,), aim.complete, game.moving, shown
+    return Moment(*table, game.shots, game.cue, kept)
 
 
 class History:
@@ -77,15 +79,14 @@ class History:
             _restore(game, before)
             game.strike()
             skip(game)
-            lies = tuple(game.layout())
-            if after.moving or lies == after.states:
+            if game.shots == after.shots and (after.moving or game.world.layout() == after.layout):
                 return True
         _restore(game, after)
         return True
 
 
 def _restore(game: Game, kept: Moment) -> None:
-    game.put(kept.states)
+    game.put(kept.layout)
     game.shots = kept.shots
     for (_, give), own in zip(game.history.keepers, kept.kept, strict=True):
         give(own)
@@ -94,3 +95,6 @@ def _restore(game: Game, kept: Moment) -> None:
     game.aim.leave()
     game.aim.complete = kept.complete and not game.aim.faults
     game.aim.wrong = False
+    if game.contest is not None and kept.shown:
+        game.contest.given = False
+        game.contest.give_boxes(game)

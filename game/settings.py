@@ -66,6 +66,8 @@ class Settings:
         }  # fmt: skip
         # laws and cloth chosen for one table say nothing about another one
         elsewhere = {"law", "cloth"} if {"table", "scene"} & options.given else set()
+        if options.game != "free":
+            elsewhere |= {"engine"}  # a match is exact unless the command line says otherwise
         free = {k: v for k, v in own.items() if k not in options.given | elsewhere}
         return replace(options, **free)  # type: ignore[arg-type]
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import physics
-from physics import Ball, Cloth, EventDriven, State, World, laws, scenes, tables
+from physics import Ball, Cloth, EventDriven, Placed, World, laws, scenes, tables
 
 Place = tuple[float, float]
 
@@ -119,9 +119,9 @@ def places(world: World, rng: random.Random) -> list[Place]:
     return [at for at, _ in found]
 
 
-def lying(places: Sequence[Place]) -> list[State]:
-    """The states of balls that lie there at rest."""
-    return [State(at, (0.0, 0.0), (0.0, 0.0, 0.0)) for at in places]
+def lying(places: Sequence[Place]) -> list[Placed]:
+    """Balls that lie there at rest."""
+    return [Placed(complex(*at)) for at in places]
 
 
 def _somewhere(rng: random.Random, quadrant: int, x: float, y: float, radius: float) -> Place:

@@ -78,6 +78,7 @@ WORDS = {
     "hint.spent": "← edit · Ctrl+Enter repeat · F1",
     "notice.complete": "Entry complete · Enter shoots",
     "notice.spent": "One shot an entry · ← edit",
+    "notice.failed": "the engine failed, balls put back",
     "notice.budget": "too many hits at once, stopped",
     "wrong": "wrong input · {box}: {why}",
     "wrong.mended": "wrong input · mended, Enter",

@@ -78,6 +78,7 @@ WORDS = {
     "hint.spent": "← 입력 · Ctrl+Enter 같은 샷",
     "notice.complete": "입력 완료 · Enter 치기",
     "notice.spent": "입력마다 한 번 · ← 새로 입력",
+    "notice.failed": "계산 오류로 공을 되돌렸습니다",
     "notice.budget": "충돌이 너무 많아 멈췄습니다",
     "wrong": "입력 오류 · {box}: {why}",
     "wrong.mended": "입력 오류 · 고침, Enter",

@@ -134,7 +134,8 @@ class Menu:
 
     def open(self, game: Game) -> None:
         """Begin with what is being played."""
-        self.fixture = game.contest.fixture if game.contest else self._free(game)
+        begun = game.contest.fixture if game.contest else self._free(game)
+        self.fixture = replace(begun, engine=game.match_engine)
         self.focus, self._fresh = 0, True
 
     def _free(self, game: Game) -> Fixture:
