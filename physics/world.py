@@ -260,7 +260,7 @@ class World:
     def recall(self, layout: Sequence[Placed]) -> None:
         """Put all balls back as a `layout` had them; ValueError if it has another number of them.
 
-        They may overlap, as fixed steps leave them: an exact engine parts them when one moves.
+        They may overlap, as fixed steps leave them: an exact engine parts them before time passes.
         """
         self._refuse_laws("recall")
         if len(layout) != len(self._balls):
@@ -299,6 +299,8 @@ class World:
 
     def _step(self, dt: float) -> None:
         clock = self._clock
+        if clock.loose and dt > 0.0 and not self.at_rest:
+            self.part()
         if clock.disturbed:
             self.plan()
         now = clock.now + dt
@@ -314,6 +316,8 @@ class World:
         if until < self.time:
             raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
         with self._guard():
+            if self._clock.loose and not self.at_rest:
+                self.part()
             self.plan()
             reached = self._engine.advance(self, until)
             self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
@@ -366,8 +370,6 @@ class World:
             check_places(self._balls, self._walls, fresh, self.scene.cushion_rule, slack)
             self.trust()
             self._lay_grid()
-        if clock.loose and not self.at_rest:
-            self.part()
         if all(body.phase in (RESTING, OFF, DISTURBED) for body in bodies):
             clock.begin_epoch(bodies)
         self.planned = self.time
