@@ -9,12 +9,10 @@ from typing import TYPE_CHECKING
 from physics import EventBudgetError, Placed, World
 
 from . import playhead, setup
+from .preview import FAILS
 
 if TYPE_CHECKING:
     from .play import Game
-
-FAILS = (ArithmeticError, RuntimeError, ValueError)
-"""What an engine raises when it cannot go on: no reason for a game to end."""
 
 
 def moves(world: World) -> bool:

@@ -16,8 +16,11 @@ from .fixture import FREE, HUMAN, SKILLS, START, Fixture
 from .match.match import Match
 from .match.rules import Verdict
 from .match.skill import Level
+from .preview import Outcome
 
 if TYPE_CHECKING:
+    from physics import Log
+
     from .play import Game
 
 
@@ -106,6 +109,12 @@ class Contest:
             return None
         so_far = stroke.match.judged(c for c in game.world.log.contacts() if c.time <= now)
         return so_far if stroke.match.rules.settles(so_far) else None
+
+    def outcome(self, log: Log) -> Outcome | None:
+        """When the coming stroke would be settled if this were its log, and whether by a foul."""
+        verdict = self.match.judged(log.contacts())
+        when = verdict.facts.decided if self.match.rules.settles(verdict) else None
+        return None if when is None else Outcome(when, verdict.foul)
 
     def seat(self, game: Game) -> None:
         """Give the cue ball to the player at the table; the boxes follow with the next aim.

@@ -258,7 +258,8 @@ class Game:
         key = (self.stamp, *self.aim.texts)
         if key != self._previewed[0]:
             shot = None if self.moving else self.aim.shot
-            seen = preview(self.world, self.cue, shot) if shot else None
+            judge = self.contest.outcome if self.contest is not None else None
+            seen = preview(self.world, self.cue, shot, judge) if shot else None
             self._previewed = key, seen
         return self._previewed[1]
 
