@@ -102,20 +102,19 @@ def law_of(world: World) -> str:
 def places(world: World, rng: random.Random) -> list[Place]:
     """Random places for all balls, one after the other in each quadrant; none overlap.
 
-    Raises ValueError naming the ball that found no room.
+    Where a wall of a scene takes a quadrant, the next one. Raises ValueError naming the ball that
+    found no room.
     """
     length, width = size(world)
     found: list[tuple[Place, float]] = []
     quadrants = rng.sample(range(4), 4)
     for i, ball in enumerate(world.balls):
-        quadrant = quadrants[i % 4]
-        for _ in range(TRIES):
-            at = _somewhere(rng, quadrant, length / 2, width / 2, ball.radius)
-            if _fits(at, ball.radius, found, world):
-                found.append((at, ball.radius))
-                break
-        else:
+        tries = (quadrants[(i + k) % 4] for k in range(4) for _ in range(TRIES))
+        spots = (_somewhere(rng, q, length / 2, width / 2, ball.radius) for q in tries)
+        at = next((at for at in spots if _fits(at, ball.radius, found, world)), None)
+        if at is None:
             raise ValueError(f"no room for ball {ball.name!r}")
+        found.append((at, ball.radius))
     return [at for at, _ in found]
 
 

@@ -70,4 +70,5 @@ def _straight(world: World, cue: str, contact: Contact, eighths: int) -> float:
     own, other = world.ball(cue), world.ball(contact.ball)
     line = complex(*other.position) - complex(*own.position)
     past = eighths / EIGHTHS * (own.radius + other.radius)
-    return degrees(phase(line) - asin(past / abs(line)))
+    far = max(abs(line), abs(past), 1e-9)  # fixed steps may leave one ball in the other
+    return degrees(phase(line) - asin(past / far))
