@@ -174,6 +174,8 @@ class App:
         self._act(action)
         if self.game.sheet and self.game.sheet != sheet:
             self.view.open()
+        if self.game.held:
+            self.view.expose()  # it may have been closed and opened between two frames
         self.preferences.note(action, self.game)
         if self.game.world is not self._world:
             self._relay()

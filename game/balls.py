@@ -6,9 +6,9 @@ import warnings
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from physics import EventBudgetError, Placed, World
+from physics import EventBudgetError, Placed, Shot, World
 
-from . import playhead, setup
+from . import choices, playhead, practice, setup
 from .preview import FAILS
 
 if TYPE_CHECKING:
@@ -26,9 +26,10 @@ def moves(world: World) -> bool:
 def strike(game: Game) -> None:
     """Play the shot in the boxes, if they hold one and the cue ball may be struck."""
     shot = game.aim.shot
-    if why := _refusal(game):
+    if shot is None:
+        return
+    if why := _refusal(game, shot):
         game.refuse(why)
-    if why or shot is None:
         return
     game.arranging = False
     if not game.moving:
@@ -47,16 +48,20 @@ def strike(game: Game) -> None:
     game.read()
 
 
-def _refusal(game: Game) -> str:
+def _refusal(game: Game, shot: Shot) -> str:
     """Why the cue ball cannot be struck now, or ""."""
     if game.contest is not None and (why := game.contest.refusal(game)):
         return why
-    return "off" if game.world.ball(game.cue).phase == "off" else ""
+    if game.world.ball(game.cue).phase == "off":
+        return "off"
+    return "flight" if shot.climb and game.engine != "exact" else ""
 
 
 def put(game: Game, layout: Sequence[Placed]) -> None:
     """Put all balls back; those of a scene that had begun in motion move again."""
     game.head.live()
+    if game.engine != "exact" and any(ball.height or ball.climb for ball in layout):
+        choices.engine(game, "exact")  # no other knows balls in the air
     game.world.recall(layout)
     game.world.log.clear()
     game.changed()
@@ -82,6 +87,15 @@ def place(game: Game) -> None:
         game.refuse("room")
         return
     put(game, setup.lying(places))
+
+
+def spot(game: Game, spots: World) -> None:
+    """Lay what has left the table on its spot, or as near as there is room."""
+    gone = [ball for ball in game.world.balls if ball.phase == "off"]
+    for ball in gone:
+        ball.position = practice.slid(game.world, ball.name, spots.ball(ball.name).position)
+    if gone:
+        game.changed()
 
 
 def stop(game: Game) -> None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from math import atan2, degrees, dist
 from typing import TYPE_CHECKING, NamedTuple
 
-from . import playhead
+from . import balls, playhead
 from .aim import plain
 from .fixture import FREE, HUMAN, SKILLS, START, Fixture
 from .match.match import Match
@@ -100,6 +100,8 @@ class Contest:
         self.pending, game.notice = False, None
         self.verdict = self.match.judged(game.world.log.contacts())
         self.match = self.match.after(self.verdict)
+        if self.verdict.facts.off:
+            balls.spot(game, self.fixture.world())
         self.seat(game)
 
     def settled(self, game: Game) -> Verdict | None:
@@ -135,10 +137,10 @@ class Contest:
 
     def _angle(self, game: Game) -> str:
         """Full on the nearest ball that may be hit first, at the opening the usual one, degrees."""
-        balls = {ball.name: ball.position for ball in game.world.balls}
-        x, y = own = balls[self.match.cue]
+        spots = {ball.name: ball.position for ball in game.world.balls}
+        x, y = own = spots[self.match.cue]
         names = self.match.rules.targets(self.match.turn)[: 1 if self.match.opening else None]
-        to = min((balls[name] for name in names), key=lambda at: dist(at, own))
+        to = min((spots[name] for name in names), key=lambda at: dist(at, own))
         return plain(degrees(atan2(to[1] - y, to[0] - x)))
 
     # -- going back ----------------------------------------------------------------------------

@@ -54,11 +54,15 @@ class History:
     def note(self, before: Moment, game: Game) -> None:
         """An action has been done: keep what was before it, if it moved a ball."""
         if game.world is not before.world:
-            self.past.clear()
-            self.future.clear()
-        elif game.shots != before.shots or not moment(game).same_table(before):
+            return  # the world it was in has gone, and with it all that was before
+        if game.shots != before.shots or not moment(game).same_table(before):
             self.past.append(before)
             self.future.clear()
+
+    def clear(self) -> None:
+        """Forget everything: there are other balls on the table now."""
+        self.past.clear()
+        self.future.clear()
 
     def undo(self, game: Game) -> bool:
         """Go back to before the last action that moved a ball; returns whether there was one."""

@@ -70,6 +70,7 @@ class Game:
     def begin(self, world: World, table: str) -> None:
         """Play on another table."""
         self.world, self.table = world, table
+        self.history.clear()
         self.cue = self.shooter = self.held_ball = setup.cue_ball(world)
         self.contest: contest.Contest | None = None
         self.arranging = False

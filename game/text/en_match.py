@@ -105,7 +105,7 @@ WORDS = {
     "state.arranging": "placing balls",
     "notice.refused.off": "the cue ball is off the table · R",
     "notice.refused.room": "no room for the balls",
-    "notice.refused.flight": "not while a ball is in the air",
+    "notice.refused.flight": "only exact events know flying balls",
     "notice.refused.moving": "wait until the balls rest",
     "notice.refused.over": "the match is over · F10 new game",
     "notice.refused.match": "not in a match · F10 free table",

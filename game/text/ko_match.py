@@ -105,7 +105,7 @@ WORDS = {
     "state.arranging": "공을 놓는 중",
     "notice.refused.off": "수구가 대 밖에 있습니다 · R 다시",
     "notice.refused.room": "공을 놓을 자리가 없습니다",
-    "notice.refused.flight": "공이 떠 있는 동안은 안 됩니다",
+    "notice.refused.flight": "뜬 공은 정확한 엔진만 계산합니다",
     "notice.refused.moving": "공이 멈출 때까지 기다리세요",
     "notice.refused.over": "경기가 끝났습니다 · F10 새 게임",
     "notice.refused.match": "경기 중에는 안 됨 · F10 자유 연습",
