@@ -104,7 +104,10 @@ def stop(game: Game) -> None:
         playhead.skip(game)
         return
     game.world.stop()
-    game.rest()
+    if moves(game.world):
+        game.changed()  # what was in the air falls
+    else:
+        game.rest()
     game.read()
 
 

@@ -174,7 +174,8 @@ class Anybody:
     def _window(self) -> None:
         if self.rng.random() < 0.1:
             size = self.rng.choice(SIZES)
-            pygame.display.set_mode(size, pygame.RESIZABLE)
+            if size != self.app.screen.get_size():  # else it would come back empty
+                pygame.display.set_mode(size, pygame.RESIZABLE)
             self._send(pygame.VIDEORESIZE, size=size, w=size[0], h=size[1])
         elif self.rng.random() < 0.1:
             self._send(pygame.QUIT)
