@@ -8,9 +8,10 @@ from .cloth import Cloth
 from .engine import EventBudgetError, EventDriven
 from .log import Contact, Event, Leg, Log, State
 from .shot import Shot
+from .simulation import simulate
 from .trace import heights, trace
 from .wall import Wall
-from .world import World, simulate
+from .world import World
 
 if TYPE_CHECKING:
     from . import ledger, scenes, store, tables

@@ -15,7 +15,8 @@ from .engine import EventDriven
 from .kernel import body, calendar
 from .laws import ForeignRule
 from .shot import Shot, direction
-from .world import World, simulate
+from .simulation import simulate
+from .world import World
 
 if TYPE_CHECKING:
     import numpy as np

@@ -6,20 +6,24 @@ from math import hypot
 from .ball import Ball
 from .kernel.body import Rule
 from .kernel.flight import nose
+from .kernel.motion import length
 from .wall import Wall
 
 OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
 
 
 def check_places(
-    balls: Sequence[Ball], walls: Sequence[Wall], fresh: Sequence[Wall], rule: Rule, slack: float
+    balls: Sequence[Ball], walls: Sequence[Wall], fresh: Sequence[Wall], rule: Rule, dt: float
 ) -> None:
     """ValueError, naming the ball, if one that has been put there lies outside the walls or in
     another one, or any lies outside a wall that is fresh.
 
     What an engine of fixed steps has left overlapping is no fault of the caller's. rule: the
-    cushions'. slack: how far things may overlap beyond OVERLAP, m.
+    cushions'. dt: the engine's step, s, or 0.
     """
+    # fixed steps notice a contact when things overlap by what they move in a step
+    fastest = max((length(complex(*ball.velocity)) for ball in balls), default=0.0)
+    slack = 2.0 * fastest * dt
     here = [ball for ball in balls if ball.phase != "off"]
     for ball in here:
         for wall in walls if ball.put else fresh:

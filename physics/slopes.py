@@ -21,7 +21,8 @@ from .kernel.calendar import CUSHION, PAIR, PHASE
 from .kernel.motion import AIRBORNE, RESTING, STILL
 from .log import Event
 from .shot import Shot, direction
-from .world import World, simulate
+from .simulation import simulate
+from .world import World
 
 if TYPE_CHECKING:
     import numpy as np

@@ -20,6 +20,8 @@ FADE = 0.75
 """Metres over which the beginning of the first ball's path fades."""
 FAINT = 0.4
 """Alpha of the paths of the other balls: less than the least of the cue ball's."""
+FEW = 16
+"""Points of a path that are drawn sooner than it takes to find out which of them matter."""
 BOUNCES = 6
 """Cushions whose marks fade one after the other."""
 
@@ -133,8 +135,11 @@ class Seen(NamedTuple):
 
 
 def on_screen(layout: Layout, points: Sequence[Place]) -> Points:
-    """A path as screen points, without those that matter to nobody; empty for a single point."""
-    return lines.decimated([layout.to_screen(*p) for p in points]) if len(points) > 1 else []
+    """A path as screen points, without those that do not matter; empty for a single point."""
+    if len(points) < 2:
+        return []
+    path = [layout.to_screen(*p) for p in points]
+    return lines.decimated(path) if len(path) > FEW else path
 
 
 def index(game: Game, name: str) -> int:
