@@ -162,6 +162,8 @@ def new_game(options: Options) -> Game:
     world = setup.scene_world(options.scene) if options.scene else setup.table_world(options.table)
     game = Game(world, options.substeps, options.seed, options.scene or options.table)
     game.language, game.edition = options.lang, options.edition
+    if "engine" in options.given:
+        game.match_engine = options.engine
     if options.setup:
         sitting.line(game, options.setup)
     elif options.game != fixture.FREE:

@@ -23,7 +23,7 @@ from .script import Script
 from .setup import size as table_size
 from .stats import Stats
 from .thinker import Thinker
-from .ui import hand, prompts
+from .ui import hand, prompts, question
 from .ui.touch import lets_go
 from .ui.view import View
 
@@ -133,7 +133,7 @@ class App:
 
     def _take(self, event: pygame.event.Event) -> None:
         if event.type == pygame.QUIT:
-            self.perform(Action("quit"))
+            self._quit(event)
         elif self.replay is not None and event.type in OVERLAID:
             watching.take(self, self.replay, event)
         elif self.game.sheet and event.type in OVERLAID:
@@ -156,9 +156,16 @@ class App:
             self.view.expose()
             self._shown_version = -1
 
-    def perform(self, action: Action | None, human: bool = True) -> None:
-        """Do an action and note it with its tick; the computer's turn leaves a person few."""
+    def perform(self, action: Action | None, human: bool = True, sure: bool = False) -> None:
+        """Do an action and note it with its tick; the computer's turn leaves a person few.
+
+        What a person wants that ends or changes a running match is asked about first, unless that
+        is `sure`.
+        """
         if action is None or (human and self.thinker.takes(action)):
+            return
+        if human and not sure and self.replay is None and question.due(action, self.game):
+            self._ask(action)
             return
         if self.preferences.perform(action):
             self._restyle(action)
@@ -172,12 +179,29 @@ class App:
             self.view.open()
         if self.game.held:
             self.view.release()
+            self.view.expose()  # it may have been closed and opened between two frames
         self.preferences.note(action, self.game)
         if self.game.world is not self._world:
             self._relay()
         self._sync_typing()
         if sheet == "settings" != self.game.sheet or action.name == "quit":
             self._save()
+
+    def _quit(self, event: pygame.event.Event) -> None:
+        """Leave; a second time without being asked, and on a signal at once."""
+        asked = self.view.question
+        twice = asked is not None and asked.action == Action("quit")
+        self.perform(Action("quit"), sure=twice or getattr(event, "sure", False))
+
+    def _ask(self, action: Action) -> None:
+        """Ask over the page that is open, or over the table."""
+        if self.game.help:
+            self.perform(Action("help"))
+        if not self.game.sheet:
+            self.perform(Action("sheet", "ask"))
+        self.view.ask(action)
+        self._shown_version = -1
+        self._sync_typing()
 
     def _act(self, action: Action) -> None:
         """Let the game do it, with what keeps or compares its record looking on."""
@@ -242,10 +266,13 @@ class App:
     def _sheet(self, event: pygame.event.Event) -> None:
         """Take an event that is meant for the page over the table."""
         self._shown_version = -1
+        asked = self.view.question
         action = self.view.pass_on(event)
+        if self.view.question is None and self.game.sheet == "ask":
+            self.perform(Action("sheet", ""))
         if action is not None:
             self.view.expose()  # what it changes shows behind the page too
-            self.perform(action)
+            self.perform(action, sure=asked is not None and action == asked.action)
         self._sync_typing()
 
     def _text(self, event: pygame.event.Event) -> None:

@@ -28,8 +28,12 @@ def language(game: Game, key: str = "") -> None:
 
 
 def engine(game: Game, key: str = "") -> None:
-    """Continue with another engine."""
+    """Continue with another engine; only the exact one knows balls in the air or off the table."""
     key = key or _after([*setup.ENGINES], game.engine)
+    if key != "exact" and any(ball.phase in ("airborne", "off") for ball in game.world.balls):
+        game.refuse("flight")
+        game.engine = "exact"
+        return
     game.world.engine = setup.ENGINES[key]()
     game.engine = key
     game.stamp += 1

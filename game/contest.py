@@ -12,13 +12,17 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from physics import heading
 
+from . import balls, playhead
 from .aim import plain
 from .fixture import FREE, HUMAN, SKILLS, START, Fixture
 from .match.match import Match
 from .match.rules import Verdict
 from .match.skill import Level
+from .preview import Outcome
 
 if TYPE_CHECKING:
+    from physics import Log
+
     from .play import Game
 
 
@@ -37,6 +41,7 @@ class Contest:
     verdict  on the last stroke, None before the first one and while balls move
     shooter  index of the player who made it
     pending  whether a stroke has yet to be judged
+    given    whether the player at the table has the boxes; they hold the last stroke until then
     share    of strokes like the one intended that would score, for the picture: the computer's
     """
 
@@ -45,6 +50,7 @@ class Contest:
     verdict: Verdict | None = None
     shooter: int = 0
     pending: bool = False
+    given: bool = False
     share: float | None = None
     thinking: bool = False
     _before: Standing | None = None
@@ -85,40 +91,58 @@ class Contest:
     def struck(self, texts: list[str]) -> None:
         """The stroke in the five texts has been made."""
         self._before = self.snapshot()
-        self.shooter, self.verdict, self.pending = self.match.at, None, True
+        self.shooter, self.verdict = self.match.at, None
+        self.pending = self.given = True
         self._entries[self.shooter] = list(texts)
 
     def rested(self, game: Game) -> None:
-        """All balls lie still: judge the stroke, and let the next player have the boxes."""
+        """All balls lie still: judge the stroke, and let the next player have the cue ball."""
         if not self.pending:
             return
         self.pending, game.notice = False, None
         self.verdict = self.match.judged(game.world.log.contacts())
         self.match = self.match.after(self.verdict)
+        if self.verdict.facts.off:
+            balls.spot(game, self.fixture.world())
         self.seat(game)
 
     def settled(self, game: Game) -> Verdict | None:
-        """The verdict on the stroke that still runs, once nothing can change it any more."""
-        if not self.pending:
+        """The verdict on the stroke at the moment on show, if nothing can change it any more."""
+        stroke, now = self._before, playhead.moment(game)
+        if stroke is None or not game.shown_shot:
             return None
-        so_far = self.match.judged(game.world.log.contacts())
-        return so_far if self.match.rules.settles(so_far) else None
+        so_far = stroke.match.judged(c for c in game.world.log.contacts() if c.time <= now)
+        return so_far if stroke.match.rules.settles(so_far) else None
+
+    def outcome(self, log: Log) -> Outcome | None:
+        """When the coming stroke would be settled if this were its log, and whether by a foul."""
+        verdict = self.match.judged(log.contacts())
+        when = verdict.facts.decided if self.match.rules.settles(verdict) else None
+        return None if when is None else Outcome(when, verdict.foul)
 
     def seat(self, game: Game) -> None:
-        """Give cue ball and boxes to the player at the table, aimed at a ball to hit first."""
+        """Give the cue ball to the player at the table; the boxes follow with the next aim.
+
+        What somebody has typed or completed meanwhile stays.
+        """
         game.cue = self.match.cue
         self.share = None
-        if game.aim.box is not None or self.level is not None:
+        self.given = game.aim.box is not None or game.aim.complete
+
+    def give_boxes(self, game: Game) -> None:
+        """Let the player at the table have the boxes, aimed at a ball to hit first; only once."""
+        if self.given or self.level is not None:
             return
+        self.given = True
         speed_and_spins = self._entries.get(self.match.at, [*START])[: len(START)]
         game.aim.texts = [*speed_and_spins, self._angle(game)]
 
     def _angle(self, game: Game) -> str:
         """Full on the nearest ball that may be hit first, at the opening the usual one, degrees."""
-        balls = {ball.name: ball.position for ball in game.world.balls}
-        x, y = own = balls[self.match.cue]
+        spots = {ball.name: ball.position for ball in game.world.balls}
+        x, y = own = spots[self.match.cue]
         names = self.match.rules.targets(self.match.turn)[: 1 if self.match.opening else None]
-        to = min((balls[name] for name in names), key=lambda at: dist(at, own))
+        to = min((spots[name] for name in names), key=lambda at: dist(at, own))
         return plain(heading(complex(to[0] - x, to[1] - y)))
 
     # -- going back ----------------------------------------------------------------------------
@@ -130,7 +154,7 @@ class Contest:
     def restore(self, game: Game, standing: Standing) -> None:
         """Stand again as then, with the boxes as they are; the balls are not moved."""
         self.match, self.verdict, self.shooter = standing
-        self.pending, self.share = False, None
+        self.pending, self.given, self.share = False, True, None
         game.cue = self.match.cue
 
     def take_back(self, game: Game) -> None:

@@ -69,6 +69,7 @@ class Fixture:
     table: str = "medium"
     cloth: str = "table"
     law: str = "table"
+    engine: str = "exact"
     finish: str = sagu.EXTRA_3C
     penalty: int = 1
     floor: bool = True
@@ -78,8 +79,8 @@ class Fixture:
     def __post_init__(self) -> None:
         known: dict[str, tuple[Any, ...]] = {
             "game": GAMES, "table": (*setup.TABLES,), "cloth": (*setup.CLOTHS,),
-            "law": ("table", *setup.LAWS), "finish": sagu.FINISHES, "penalty": PENALTIES,
-            "bank": BANKS, "floor": (True, False), "red_first": (True, False),
+            "law": ("table", *setup.LAWS), "engine": (*setup.ENGINES,), "finish": sagu.FINISHES,
+            "penalty": PENALTIES, "bank": BANKS, "floor": (True, False), "red_first": (True, False),
         }  # fmt: skip
         for name, values in known.items():
             if getattr(self, name) not in values:
@@ -156,4 +157,5 @@ def asked(options: Options) -> Fixture:
         raise ValueError(f"a handicap is a whole number, not {options.handicap!r:.60}")
     seats = tuple(Seat(n.strip(), v, int(g)) for n, v, g in zip(names, levels, goals, strict=True))
     law, finish = options.law or "table", options.finish or sagu.EXTRA_3C
-    return Fixture(options.game, seats, options.table, options.cloth, law, finish)
+    played_on = options.table, options.cloth, law, options.engine
+    return Fixture(options.game, seats, *played_on, finish)

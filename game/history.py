@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
 
-from physics import State, World
+from physics import Placed, World
 
 from .playhead import skip
 
@@ -17,10 +17,12 @@ class Moment(NamedTuple):
     """A table with what its player was about to do."""
 
     world: World
-    states: tuple[State, ...]
+    layout: tuple[Placed, ...]
     texts: tuple[str, ...]
     complete: bool
     moving: bool
+    shown: bool
+    """Was the last shot on show, with its numbers in the boxes?"""
     shots: int
     cue: str
     kept: tuple[object, ...]
@@ -28,16 +30,16 @@ class Moment(NamedTuple):
 
     def same_table(self, other: Moment) -> bool:
         """Do the balls lie, or move, alike?"""
-        return self.world is other.world and self.states == other.states
+        return self.world is other.world and self.layout == other.layout
 
 
 def moment(game: Game) -> Moment:
     """The game as it is now."""
-    states = tuple(game.layout())
-    aim, kept = game.aim, tuple(take() for take, _ in game.history.keepers)
-    return Moment(
-        game.world, states, tuple(aim.texts), aim.complete, game.moving, game.shots, game.cue, kept
-    )
+    aim, world = game.aim, game.world
+    kept = tuple(take() for take, _ in game.history.keepers)
+    shown = game.shown_shot and not game.moving
+    table = world, world.layout(), (*aim.texts,), aim.complete, game.moving, shown
+    return Moment(*table, game.shots, game.cue, kept)
 
 
 class History:
@@ -52,11 +54,15 @@ class History:
     def note(self, before: Moment, game: Game) -> None:
         """An action has been done: keep what was before it, if it moved a ball."""
         if game.world is not before.world:
-            self.past.clear()
-            self.future.clear()
-        elif game.shots != before.shots or not moment(game).same_table(before):
+            return  # the world it was in has gone, and with it all that was before
+        if game.shots != before.shots or not moment(game).same_table(before):
             self.past.append(before)
             self.future.clear()
+
+    def clear(self) -> None:
+        """Forget everything: there are other balls on the table now."""
+        self.past.clear()
+        self.future.clear()
 
     def undo(self, game: Game) -> bool:
         """Go back to before the last action that moved a ball; returns whether there was one."""
@@ -77,15 +83,14 @@ class History:
             _restore(game, before)
             game.strike()
             skip(game)
-            lies = tuple(game.layout())
-            if after.moving or lies == after.states:
+            if game.shots == after.shots and (after.moving or game.world.layout() == after.layout):
                 return True
         _restore(game, after)
         return True
 
 
 def _restore(game: Game, kept: Moment) -> None:
-    game.put(kept.states)
+    game.put(kept.layout)
     game.shots = kept.shots
     for (_, give), own in zip(game.history.keepers, kept.kept, strict=True):
         give(own)
@@ -94,3 +99,6 @@ def _restore(game: Game, kept: Moment) -> None:
     game.aim.leave()
     game.aim.complete = kept.complete and not game.aim.faults
     game.aim.wrong = False
+    if game.contest is not None and kept.shown:
+        game.contest.given = False
+        game.contest.give_boxes(game)

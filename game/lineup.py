@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import TYPE_CHECKING
 
-from physics import Ball, World
+from physics import Ball, EventDriven, World
 
 from . import setup
 from .aim import BOXES, fault
@@ -21,8 +21,9 @@ Place = tuple[float, float]
 MARK = "danggu1"
 """First word of a line: what it is, and the version of the format."""
 LONGEST_LINE = 4000
-TOUCHING = 1e-9
-"""Metres by which balls that touch may seem to overlap, for their places are rounded."""
+TOUCHING = 5e-10
+"""Metres by which balls that touch may seem to overlap, for their places are rounded: half of what
+a world lets pass, so that it takes what is taken here."""
 
 
 class LineError(ValueError):
@@ -143,8 +144,14 @@ def _kinds(table: str, names: list[str]) -> dict[str, Kind]:
 
 
 def of(game: Game, *, shot: bool = False) -> Lineup:
-    """How the balls of a game lie, with the numbers in the boxes if they are asked for."""
-    balls = tuple((ball.name, ball.position) for ball in game.world.balls)
+    """How the balls of a game lie, with the numbers in the boxes if they are asked for.
+
+    Those that fixed steps have left in each other are parted: a line has to be read again.
+    """
+    world = game.world.copy()
+    world.engine = EventDriven()
+    world.part()
+    balls = tuple((ball.name, ball.position) for ball in world.balls)
     texts = tuple(game.aim.texts) if shot and game.aim.shot else ()
     return Lineup(game.table, balls, texts)
 

@@ -9,9 +9,9 @@ from functools import partial
 from math import hypot
 from typing import ClassVar, NamedTuple
 
-from physics import Cloth, EventBudgetError, State, World, laws
+from physics import Cloth, Placed, State, World, laws
 
-from . import aiming, choices, contest, playhead, setup, sitting
+from . import aiming, balls, choices, contest, playhead, setup, sitting
 from .actions import Action
 from .aim import Aim
 from .clock import TICKS, seconds, shares
@@ -50,6 +50,8 @@ class Game:
     ) -> None:
         self.substeps = substeps
         self.engine, self.language, self.edition = "exact", "en", setup.EDITION
+        self.match_engine = "exact"
+        """What a match from the menu is played with, whatever is in use before it."""
         self.help = self.over = False
         self.sheet = ""
         """The page laid over the table: "settings" "menu" "shelf" "rules", or none."""
@@ -59,7 +61,7 @@ class Game:
         """Goes up with every change: equal versions look the same."""
         self.news = 0
         """Goes up when anything but the balls' places has changed, or is due to be read again."""
-        self._rng = random.Random(seed)
+        self.rng = random.Random(seed)
         self._did = ""
         self.history = History()
         take, give = partial(contest.kept, self), partial(contest.give_back, self)
@@ -69,6 +71,7 @@ class Game:
     def begin(self, world: World, table: str) -> None:
         """Play on another table."""
         self.world, self.table = world, table
+        self.history.clear()
         self.cue = self.shooter = self.held_ball = setup.cue_ball(world)
         self.contest: contest.Contest | None = None
         self.arranging = False
@@ -82,13 +85,14 @@ class Game:
         self.shown_shot = False
         """Is the last shot on show, rather than the next one?"""
         self.came_with = Terms(world.ball_law, world.cushion_law, world.cloth)
-        self._lay = self.layout()
+        self.lies = world.layout()
+        """Where the balls lay before the last shot."""
         self._seen: tuple[object, dict[str, State]] = (None, {})
         self._previewed: tuple[object, Preview | None] = (None, None)
         self._forecast: tuple[object, Story] = (None, NO_STORY)
         self._counts: tuple[object, tuple[int, int]] = (None, (0, 0))
-        self._changed()
-        self.moving = self._moves()
+        self.changed()
+        self.moving = balls.moves(world)
         if self.moving:
             aiming.take_over(self)
         self.read()
@@ -101,6 +105,8 @@ class Game:
         if action.name not in ("language", "help", "settings", "sheet", "next", "intend"):
             self.notice = None
         before = moment(self)
+        if self.contest is not None and action.name in aiming.HANDLERS:
+            self.show_aim()  # they begin with the numbers of who is at the table
         if action.value is None:
             handler(self)
         else:
@@ -119,9 +125,12 @@ class Game:
 
     def show_aim(self) -> None:
         """Show the next shot rather than the last one, unless that is still running."""
-        if not self.moving:
-            self.shown_shot = False
-            self.head.live()
+        if self.moving:
+            return
+        self.shown_shot = False
+        self.head.live()
+        if self.contest is not None:
+            self.contest.give_boxes(self)
 
     def _edit(self, box: int = 0) -> None:
         self.show_aim()
@@ -157,33 +166,16 @@ class Game:
             self.notice = Notice("spent")
 
     def _fire(self) -> None:
-        """Complete the entry as it stands, and shoot."""
+        """Complete the entry as it stands, and shoot; in a match that is the coming stroke."""
+        if self.contest is not None:
+            self.show_aim()
         self.aim.leave()
         if self.aim.finish():
             self.strike()
 
     def strike(self) -> None:
-        """Play the shot in the boxes, which has to be one; in a match only if one may."""
-        shot = self.aim.shot
-        assert shot is not None, "a complete entry can be read"
-        if self.contest is not None and (why := self.contest.refusal(self)):
-            self.refuse(why)
-            return
-        self.arranging = False
-        if not self.moving:
-            self._lay = self.layout()
-        self.head.live()
-        self.world.log.clear()
-        self.began = self.world.time
-        self.world.strike(self.cue, shot)
-        self._changed()
-        self.shooter = self.cue
-        if self.contest is not None:
-            self.contest.struck(self.aim.texts)
-        self.aim.spent()
-        self.shots += 1
-        self.moving = self.shown_shot = True
-        self.read()
+        """Play the shot in the boxes, if they hold one; in a match only if one may."""
+        balls.strike(self)
 
     def refuse(self, why: str) -> None:
         """Say why something cannot be done now."""
@@ -191,36 +183,7 @@ class Game:
 
     def lay(self, places: Sequence[setup.Place]) -> None:
         """Lay all balls down at rest, in their order, metres."""
-        self.put(setup.lying(places))
-        self._lay = self.layout()
-
-    def put_ball(self, name: str, at: setup.Place) -> None:
-        """Lay one ball down elsewhere."""
-        self.lay([at if ball.name == name else ball.position for ball in self.world.balls])
-
-    def _place(self) -> None:
-        if self.contest is not None:
-            self.refuse("match")
-            return
-        self.put(setup.lying(setup.places(self.world, self._rng)))
-
-    def _stop(self) -> None:
-        """Stop all balls; the stroke of a match goes on to its end instead, for it counts."""
-        if self.contest is not None and self.moving:
-            playhead.skip(self)
-            return
-        self.world.stop()
-        self._rest()
-        self.read()
-
-    def _retry(self) -> None:
-        """The balls go back to where they lay before the last shot; the same entry may be shot."""
-        if self.contest is not None:
-            self.contest.take_back(self)
-        self.put(self._lay)
-        self.aim.leave()
-        if not self.moving:
-            self.aim.finish()
+        balls.lay(self, places)
 
     def _help(self) -> None:
         self.help = not self.help
@@ -267,31 +230,19 @@ class Game:
         for share in shares(ticks, self.substeps):
             if not self.moving:
                 break
-            self._step(seconds(share))
+            balls.roll(self, seconds(share))
         self.version += 1
         due = (self.tick + ticks) // READING != before
         if due or not self.moving or self.paused or len(self.world.log) != events:
             self.read()
 
-    def _step(self, dt: float) -> None:
-        before = len(self.world.log)
-        self.calls += 1
-        try:
-            self.world.step(dt)
-        except EventBudgetError:
-            self.world.stop()
-            self.notice = Notice("budget", error=True)
-        self.events += max(len(self.world.log) - before, 0)
-        if not self._moves():
-            self._rest()
-
-    def _changed(self) -> None:
+    def changed(self) -> None:
         """Somebody has put or pushed balls: let the world plan, so that its log knows of it."""
         self.stamp += 1
         self.head.part = 0  # how much of a tick is left over tells how long the last frame was
-        self.world.step(0.0)
+        self.world.plan()
 
-    def _rest(self) -> None:
+    def rest(self) -> None:
         """All balls lie still: an entry begun meanwhile comes on show."""
         self.moving = False
         self.stamp += 1
@@ -309,7 +260,8 @@ class Game:
         key = (self.stamp, *self.aim.texts)
         if key != self._previewed[0]:
             shot = None if self.moving else self.aim.shot
-            seen = preview(self.world, self.cue, shot) if shot else None
+            judge = self.contest.outcome if self.contest is not None else None
+            seen = preview(self.world, self.cue, shot, judge) if shot else None
             self._previewed = key, seen
         return self._previewed[1]
 
@@ -341,31 +293,18 @@ class Game:
         names = tuple(ball.name for ball in self.world.balls)
         return names if len(names) <= MOST_TRACED else (self.cue,)
 
-    def _moves(self) -> bool:
-        """Does anything move, roll or spin on the spot?"""
-        return any(ball.phase != "resting" or ball.spin[2] != 0.0 for ball in self.world.balls)
-
-    def layout(self) -> list[State]:
-        """How the balls lie, or move, now."""
-        return [State(b.position, b.velocity, b.spin) for b in self.world.balls]
-
-    def put(self, states: Sequence[State]) -> None:
+    def put(self, layout: Sequence[Placed]) -> None:
         """Put all balls back; those of a scene that had begun in motion move again."""
-        self.head.live()
-        self.world.stop()
-        for ball, state in zip(self.world.balls, states, strict=True):
-            ball.position, ball.velocity, ball.spin = state[:3]
-        self.world.log.clear()
-        self._changed()
-        self.began = self.world.time
-        self.moving = self.shown_shot = self._moves()
-        self.read()
+        balls.put(self, layout)
 
     @property
     def seen(self) -> dict[str, State]:
         """Every ball at the moment on show: now, or the one that the timeline has been put to."""
         if self.head.at is None:
-            return dict(zip(self.world.log.names, self.layout(), strict=True))
+            return {
+                b.name: State(b.position, b.velocity, b.spin, b.height, b.climb)
+                for b in self.world.balls
+            }
         key = self.stamp, self.began, self.head.at
         if key != self._seen[0]:
             self._seen = key, self.world.log.at(playhead.moment(self))
@@ -387,8 +326,8 @@ class Game:
 
     _handlers: ClassVar[dict[str, Callable[..., None]]] = {
         "edit": _edit, "clear": _clear, "type": _type, "enter": _enter,
-        "leave": _leave, "shoot": _shoot, "fire": _fire, "place": _place, "stop": _stop,
-        "retry": _retry, "undo": _undo, "redo": _redo, "help": _help,
+        "leave": _leave, "shoot": _shoot, "fire": _fire, "place": balls.place, "stop": balls.stop,
+        "retry": balls.retry, "undo": _undo, "redo": _redo, "help": _help,
         "settings": _settings, "quit": _quit, **aiming.HANDLERS, **playhead.HANDLERS,
         "engine": choices.engine,
         "law": choices.law, "cloth": choices.cloth, "table": choices.table,

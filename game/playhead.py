@@ -16,6 +16,7 @@ from physics import Event
 
 from .clock import TICKS, seconds
 from .match.stroke import counts
+from .preview import GLIMPSE, rests
 
 if TYPE_CHECKING:
     from .play import Game
@@ -145,9 +146,9 @@ def home(game: Game) -> None:
 
 
 def skip(game: Game) -> None:
-    """Go on to the end of the shot at once, unless it has none."""
+    """Go on to the end of the shot at once; where it has none, as far as is foretold of it."""
     game.head.live()
-    for _ in range(LONGEST_SHOT):
+    for _ in range(LONGEST_SHOT if rests(game.world) else int(GLIMPSE)):
         game.run(TICKS)
     game.read()
 

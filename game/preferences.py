@@ -38,6 +38,8 @@ class Preferences:
 
     def note(self, action: Action, game: Game) -> None:
         """Remember what an action of the game has chosen."""
+        if action == Action("engine") and game.engine != "exact":
+            return  # the key compares for a moment, and goes back; the settings page is for good
         if action.name in ("language", "table", "cloth", "law", "engine"):
             setattr(self.settings, action.name, getattr(game, action.name))
         if action.name == "table":

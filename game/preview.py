@@ -3,28 +3,29 @@
 from __future__ import annotations
 
 from cmath import phase
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import ceil, degrees, sqrt
 from typing import NamedTuple
 
-from physics import EventBudgetError, Leg, Log, Shot, State, World, simulate
+from physics import Leg, Log, Shot, State, World, simulate
 
 from .match.stroke import counts
 
+FAILS = (ArithmeticError, RuntimeError, ValueError)
+"""What an engine raises when it cannot go on: no reason for a game to end."""
 Place = tuple[float, float]
 
 CHORD = 0.00025
 """Metres by which a drawn curve may be off: a quarter of a pixel at 4K."""
-MOST_CUSHIONS = 6
-"""Cushions after which a previewed path ends: nobody plans for more."""
-SAME = 0.02
-"""Seconds: contacts with one ball that follow each other faster are one contact to the eye."""
 HORIZON = 120.0
 """Seconds: no shot that a player can make rolls for longer."""
 GLIMPSE = 5.0
 """Seconds foretold of a shot that has no end."""
 MOVED = 1e-9
 """Metres: a leg shorter than this is a ball that lies still."""
+TIE = 1e-9
+"""Seconds: what is no farther apart happens at once."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,65 +73,102 @@ class Contact:
     cut: float
 
 
+class Meeting(NamedTuple):
+    """Two balls that meet later in a shot: their names, and where their centres are then."""
+
+    balls: tuple[str, str]
+    places: tuple[Place, Place]
+
+
 @dataclass(frozen=True, slots=True)
 class Preview:
-    """A shot that has not been played.
+    """A shot that has not been played, until nothing that happens can change what it counts.
 
-    way: the cue ball's path to its first contact; beyond: from there to the decision, which is the
-    second ball it meets, its last cushion worth drawing, or its rest; path: the object ball's.
-    bounces: where the cue ball meets cushions until the decision, and the wall's outward normal.
+    way: the cue ball's path to its first contact; beyond: from there on; bounces: where it meets
+    cushions, and the wall's outward normal; others: the path of every other ball that moves;
+    meetings: what balls meet after the first contact; whole: do all balls lie still in the end?
+    foul: the number of the meeting that is one, -1 if the first contact is, or None.
     """
 
     story: Story
     contact: Contact | None
     way: tuple[Place, ...]
     beyond: tuple[Place, ...]
-    path: tuple[Place, ...]
     bounces: tuple[tuple[Place, Place], ...]
+    others: dict[str, tuple[Place, ...]]
+    meetings: tuple[Meeting, ...]
+    whole: bool = True
+    foul: int | None = None
 
 
-def preview(world: World, cue: str, shot: Shot) -> Preview | None:
-    """Play the shot on a copy; None if it has too many events for the engine, or never an end."""
+class Outcome(NamedTuple):
+    """When nothing can change any more what a stroke counts, world seconds, and is it a foul?"""
+
+    settled: float
+    foul: bool
+
+
+Judge = Callable[[Log], Outcome | None]
+"""The rules that are played by, asked about a stroke: None where it counts to its end."""
+
+
+def foretold(world: World, cue: str, shot: Shot) -> World | None:
+    """Play the shot on a copy; None if the engine cannot play it, or it would never end."""
     if not rests(world):
         return None
     try:
-        after = simulate(world, cue, shot)
-    except EventBudgetError:
+        return simulate(world, cue, shot)
+    except FAILS:
         return None
-    since, log = world.time, after.log
-    legs = _legs(log)
-    told = _story(log, legs, since, after.time)
-    first = next((e for e in told.events if e.kind == "ball" and cue in e.balls), None)
-    decision = _decision(told, cue, first.time if first else None)
-    bounces = _bounces(told, legs[cue], cue, since, decision, world)
-    end = since + decision
-    if first is None:
-        return Preview(told, None, _way(legs[cue], since, end), (), (), bounces)
-    contact = _contact(first, legs, cue, since, {ball.name: ball.radius for ball in world.balls})
-    hit = since + first.time
-    own, other = legs[cue], legs[contact.ball]
-    parts = _way(own, since, hit), _way(own, hit, end), _way(other, hit, end)
-    return Preview(told, contact, *parts, bounces)
+
+
+def preview(world: World, cue: str, shot: Shot, judge: Judge | None = None) -> Preview | None:
+    """See what a shot will do; None if the engine cannot play it, or it would never end."""
+    after = foretold(world, cue, shot)
+    if after is None:
+        return None
+    since, legs = world.time, _legs(after.log)
+    told = _story(after.log, legs, since, after.time)
+    outcome = judge(after.log) if judge else None
+    end = since + told.duration if outcome is None else outcome.settled + TIE
+    met = [e for e in told.events if e.kind == "ball" and since + e.time <= end]
+    first = next((e for e in met if cue in e.balls), None)
+    hit, contact = end, None
+    if first is not None:
+        radii = {ball.name: ball.radius for ball in world.balls}
+        hit, contact = since + first.time, _contact(first, legs, cue, since, radii)
+    others = {name: _way(own, since, end) for name, own in legs.items() if name != cue}
+    return Preview(
+        told,
+        contact,
+        _way(legs[cue], since, hit),
+        _way(legs[cue], hit, end),
+        _bounces(told, legs[cue], cue, since, end - since, world),
+        {name: way for name, way in others.items() if way},
+        tuple(_meeting(e, legs, since) for e in met if e is not first),
+        outcome is None,
+        _blamed(met, first, end - since) if outcome is not None and outcome.foul else None,
+    )
 
 
 def rests(world: World) -> bool:
-    """Does the cloth bring balls to rest?"""
+    """Do cloth and engine bring balls to rest?"""
     cloth = world.cloth
-    return cloth.slide * cloth.roll * cloth.gravity > 0.0
+    ends = getattr(world.engine, "scheme", "") != "literal"  # the thesis's program never does
+    return ends and cloth.slide * cloth.roll * cloth.gravity > 0.0
 
 
-def _decision(told: Story, cue: str, met: float | None) -> float:
-    """When the preview ends, seconds."""
-    cushions = 0
-    for event in told.events:
-        if cue not in event.balls:
-            continue
-        if event.kind == "ball" and met is not None and event.time > met + SAME:
-            return event.time
-        cushions += event.kind == "cushion"
-        if event.kind == "rest" or cushions == MOST_CUSHIONS:
-            return event.time
-    return told.duration
+def _meeting(met: Mark, legs: Legs, since: float) -> Meeting:
+    a, b = met.balls
+    p, q = (_turn(legs[name], since + met.time)[1].position for name in (a, b))
+    return Meeting((a, b), (p, q))
+
+
+def _blamed(met: list[Mark], first: Mark | None, end: float) -> int | None:
+    """The number of the meeting that ended the stroke; the first contact is -1."""
+    if not met or met[-1].time < end - 2 * TIE:
+        return None
+    return -1 if met[-1] is first else len(met) - 2
 
 
 def _bounces(
@@ -184,7 +222,7 @@ def forecast(world: World, since: float) -> Story:
     ahead = world.copy()
     try:
         ahead.run(world.time + (HORIZON if rests(world) else GLIMPSE))
-    except EventBudgetError:
+    except FAILS:
         return NO_STORY
     return story(ahead.log, since, ahead.time)
 

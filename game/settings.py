@@ -67,6 +67,8 @@ class Settings:
         # laws and cloth chosen for one table say nothing about another one
         laid = options.given & {*LAID} - ({"game"} if options.game == "free" else set())
         elsewhere = {"table", "law", "cloth"} if laid else set()
+        if options.game != "free":
+            elsewhere |= {"engine"}  # a match is exact unless the command line says otherwise
         free = {k: v for k, v in own.items() if k not in options.given | elsewhere}
         return replace(options, **free)  # type: ignore[arg-type]
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import physics
-from physics import Ball, Cloth, EventDriven, State, World, laws, scenes, tables
+from physics import Ball, Cloth, EventDriven, Placed, World, laws, scenes, tables
 
 Place = tuple[float, float]
 
@@ -120,26 +120,25 @@ def law_of(world: World) -> str:
 def places(world: World, rng: random.Random) -> list[Place]:
     """Random places for all balls, one after the other in each quadrant; none overlap.
 
-    Raises ValueError naming the ball that found no room.
+    Where a wall of a scene takes a quadrant, the next one. Raises ValueError naming the ball that
+    found no room.
     """
     length, width = size(world)
     found: list[tuple[Place, float]] = []
     quadrants = rng.sample(range(4), 4)
     for i, ball in enumerate(world.balls):
-        quadrant = quadrants[i % 4]
-        for _ in range(TRIES):
-            at = _somewhere(rng, quadrant, length / 2, width / 2, ball.radius)
-            if _fits(at, ball.radius, found, world):
-                found.append((at, ball.radius))
-                break
-        else:
+        tries = (quadrants[(i + k) % 4] for k in range(4) for _ in range(TRIES))
+        spots = (_somewhere(rng, q, length / 2, width / 2, ball.radius) for q in tries)
+        at = next((at for at in spots if _fits(at, ball.radius, found, world)), None)
+        if at is None:
             raise ValueError(f"no room for ball {ball.name!r}")
+        found.append((at, ball.radius))
     return [at for at, _ in found]
 
 
-def lying(places: Sequence[Place]) -> list[State]:
-    """The states of balls that lie there at rest."""
-    return [State(at, (0.0, 0.0), (0.0, 0.0, 0.0)) for at in places]
+def lying(places: Sequence[Place]) -> list[Placed]:
+    """Balls that lie there at rest."""
+    return [Placed(complex(*at)) for at in places]
 
 
 def _somewhere(rng: random.Random, quadrant: int, x: float, y: float, radius: float) -> Place:

@@ -24,6 +24,8 @@ def match(game: Game, line: str) -> None:
     """Begin what a fixture says; ValueError for a line that is none."""
     wanted = fixture.read(line)
     game.sheet = ""
+    if wanted.game != fixture.FREE:
+        game.engine = wanted.engine
     _begin(game, wanted.world(), wanted.table)
     if wanted.law != "table":
         choices.law(game, wanted.law)
@@ -32,6 +34,8 @@ def match(game: Game, line: str) -> None:
     game.contest = Contest.of(wanted)
     if game.contest is not None:
         game.contest.seat(game)
+        game.contest.given = False
+        game.contest.give_boxes(game)
         game.aim.finish()
 
 
@@ -43,7 +47,7 @@ def _begin(game: Game, world: World, table: str) -> None:
 
 def show_next(game: Game) -> None:
     """Show the coming stroke in place of the last one."""
-    game.shown_shot = game.shown_shot and game.moving
+    game.show_aim()
     game.aim.leave()
     game.aim.finish()
 
@@ -93,7 +97,8 @@ def move(game: Game, to: str) -> None:
     x, y = map(float, to.split())
     place = practice.slid(game.world, game.held_ball, (x, y))
     if place != game.world.ball(game.held_ball).position:
-        game.put_ball(game.held_ball, place)
+        held = game.held_ball
+        game.lay([place if b.name == held else b.position for b in game.world.balls])
 
 
 def line(game: Game, text: str) -> None:

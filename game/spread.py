@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from random import Random
 from typing import TYPE_CHECKING, NamedTuple
 
-from physics import EventBudgetError, Log, Shot, World, simulate
+from physics import Log, Shot, World, simulate
 
 from .match.stroke import counts
-from .preview import Place, path
+from .preview import Place, foretold, path
 from .tip import LEVER
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ ANGLE, SPEED, TIP = 0.05, 0.02, 0.01
 of a good amateur."""
 SAMPLES = 40
 MOST_CUSHIONS = 6
-"""Cushions after which a path is drawn no farther, as in the preview."""
+"""Cushions after which a path is drawn no farther: by then the haze is everywhere."""
 
 
 class Sample(NamedTuple):
@@ -60,9 +60,8 @@ def nominal(world: World, cue: str, shot: Shot) -> list[tuple[str, str]]:
 def sample(game: Game, shot: Shot, wanted: Sequence[tuple[str, str]], rng: Random) -> Sample:
     """Play the shot once more, a little off."""
     world, cue = game.world, game.cue
-    try:
-        after = simulate(world, cue, off(shot, rng))
-    except EventBudgetError:
+    after = foretold(world, cue, off(shot, rng))
+    if after is None:
         return Sample((), None)
     until = _parting(after, cue, wanted)
     made = None

@@ -69,5 +69,6 @@ def _straight(world: World, cue: str, contact: Contact, eighths: int) -> float:
     own, other = world.ball(cue), world.ball(contact.ball)
     line = complex(*other.position) - complex(*own.position)
     past = eighths / EIGHTHS * (own.radius + other.radius)
-    ahead = sqrt(line.real * line.real + line.imag * line.imag - past * past)
-    return heading(line * complex(ahead, -past))
+    ahead = line.real * line.real + line.imag * line.imag - past * past
+    # fixed steps may leave one ball in the other
+    return heading(line * complex(sqrt(max(ahead, 1e-18)), -past))

@@ -11,7 +11,7 @@ from .aim import BOXES
 from .plain import shortly
 from .text import LANGUAGES
 
-SHEETS = ("", "settings", "menu", "shelf", "rules")
+SHEETS = ("", "settings", "menu", "shelf", "rules", "ask")
 LARGEST = 1e6
 """Size of a number in an action: more than any box, table or angle has room for."""
 FARTHEST = 1 << 32

@@ -3,14 +3,15 @@
 from typing import TYPE_CHECKING, Any
 
 from . import laws
-from .ball import Ball
+from .ball import Ball, Placed
 from .cloth import Cloth
 from .engine import ContactError, EventBudgetError, EventDriven
 from .log import Contact, Event, Leg, Log, State
 from .shot import Shot, direction, heading
+from .simulation import simulate
 from .trace import heights, trace
 from .wall import Wall
-from .world import World, simulate
+from .world import World
 
 if TYPE_CHECKING:
     from . import ledger, scenes, store, tables
@@ -42,8 +43,8 @@ def __getattr__(name: str) -> Any:
 
 __all__ = [
     "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning", "Event",
-    "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Recovered", "Sensitivity",
-    "Shot", "State", "TimeStepping", "Wall", "World", "direction", "heading", "heights", "laws",
-    "ledger", "recover", "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables",
-    "trace",
+    "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Placed", "Recovered",
+    "Sensitivity", "Shot", "State", "TimeStepping", "Wall", "World", "direction", "heading",
+    "heights", "laws", "ledger", "recover", "scenes", "sensitivity", "simulate", "simulate_many",
+    "store", "tables", "trace",
 ]  # fmt: skip

@@ -1,6 +1,8 @@
 """A ball: a name and the kernel's record of it, shown through properties."""
 
 from collections.abc import Sequence
+from operator import attrgetter
+from typing import NamedTuple
 
 from .checks import finite, nonnegative, positive, sizable, vector
 from .kernel.body import Body, Felt, twin
@@ -26,10 +28,28 @@ NAMES = {
 }  # fmt: skip
 
 
+class Placed(NamedTuple):
+    """How a ball lies or moves, to the last digit; with a place alone, it lies still there.
+
+    position m and velocity m/s as complex numbers, roll = -i R ω and side = R ω_z m/s, height m
+    (below zero: off the table), climb m/s.
+    """
+
+    position: complex
+    velocity: complex = 0j
+    roll: complex = 0j
+    side: float = 0.0
+    height: float = 0.0
+    climb: float = 0.0
+
+
+_placed = attrgetter(*Placed._fields)
+
+
 class Clock:
     """The moment that the balls of a world share, `now` seconds after `epoch`; and their cloth."""
 
-    __slots__ = ("cloth", "disturbed", "epoch", "moved", "now")
+    __slots__ = ("cloth", "disturbed", "epoch", "loose", "moved", "now")
 
     def __init__(self, cloth: Felt) -> None:
         self.epoch = 0.0
@@ -37,11 +57,20 @@ class Clock:
         self.cloth = cloth
         self.disturbed = True  # has somebody put or pushed a ball?
         self.moved = True  # has somebody put one where it might not fit?
+        self.loose = False  # may balls overlap, because fixed steps have left them so?
 
     def copy(self) -> "Clock":
         clock = Clock(self.cloth)
         clock.assign(self)
         return clock
+
+    def begin_epoch(self, bodies: Sequence[Body]) -> None:
+        """Count time from now on: the same shot has the same digits, whenever it is played."""
+        for body in bodies:
+            carry(body, self.now, self.cloth)
+            body.since = 0.0
+            forget(body)
+        self.epoch, self.now = self.epoch + self.now, 0.0
 
     def assign(self, other: "Clock") -> None:
         """Show what the other one shows."""
@@ -59,7 +88,7 @@ class Ball:
     or not positive, and for what a ball that has left the table cannot take.
     """
 
-    __slots__ = ("_body", "_clock", "_name")
+    __slots__ = ("_body", "_clock", "_name", "put")
 
     def __init__(
         self,
@@ -71,6 +100,8 @@ class Ball:
         mass: float = 0.25,
     ) -> None:
         self._name = name
+        self.put = True
+        """Has it been put somewhere since its world last checked that all fits?"""
         self._clock = Clock(NOWHERE)
         self._body = Body(
             positive(f"ball {name!r}: radius", radius), sizable(f"ball {name!r}: mass", mass)
@@ -109,7 +140,7 @@ class Ball:
         body = self.disturb()
         body.position = complex(x, y)
         body.height = max(0.0, body.height)  # that had left the table is put back on it
-        self._clock.moved = True
+        self._clock.moved = self.put = True
 
     @property
     def velocity(self) -> tuple[float, float]:
@@ -134,7 +165,7 @@ class Ball:
     def height(self, value: float) -> None:
         height = nonnegative(f"ball {self.name!r}: height", value)
         self.on_table().disturb().height = height
-        self._clock.moved = True
+        self._clock.moved = self.put = True
 
     @property
     def climb(self) -> float:
@@ -202,6 +233,20 @@ class Ball:
             body = self.disturb()
             body.velocity = body.roll = 0j
 
+    @property
+    def placed(self) -> Placed:
+        """How it lies or moves now; assigned, it does so again, and nothing is checked."""
+        body = twin(self._body)
+        if body.phase != DISTURBED:
+            carry(body, self._clock.now, self._clock.cloth)
+        return Placed(*_placed(body))
+
+    @placed.setter
+    def placed(self, value: Placed) -> None:
+        body = self.disturb()
+        for name, number in zip(Placed._fields, value, strict=True):
+            setattr(body, name, number)
+
     def disturb(self) -> Body:
         """The record at this very moment, to be changed: the engine will plan it anew."""
         body = self._body
@@ -232,4 +277,5 @@ class Ball:
         """The same ball, on the same leg, in another world."""
         ball = Ball.__new__(Ball)
         ball._name, ball._clock, ball._body = self._name, clock, twin(self._body)
+        ball.put = self.put
         return ball

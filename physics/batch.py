@@ -15,7 +15,8 @@ from .engine import EventDriven
 from .kernel import body, calendar, elementary
 from .laws import ForeignRule
 from .shot import Shot
-from .world import World, simulate
+from .simulation import simulate
+from .world import World
 
 if TYPE_CHECKING:
     import numpy as np
@@ -85,9 +86,10 @@ def _job(
     """Who plays the shots."""
     if isinstance(world.engine, EventDriven) and world.cluster_law is None:
         choice = _choose(world, shots, compiled)
-        balls = world.copy().balls
-        struck = next(k for k, ball in enumerate(balls) if ball.name == name)
-        before = np.array([start(ball.disturb()) for ball in balls])
+        copy = world.copy()
+        copy.part()
+        struck = next(k for k, ball in enumerate(copy.balls) if ball.name == name)
+        before = np.array([start(ball.disturb()) for ball in copy.balls])
         return Job(world.scene, before, struck, world.engine.budget, choice, CHUNK)
     if compiled:
         raise ValueError("this engine or cluster law runs interpreted: compiled=True cannot be")

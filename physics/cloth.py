@@ -30,3 +30,10 @@ class Cloth:
         """The decelerations that the kernel works with."""
         slide, roll = self.slide * self.gravity, self.roll * self.gravity
         return Felt(slide, roll, self.spin_decay, self.gravity, self.bounce, self.slide)
+
+
+def a_cloth(thing: Cloth) -> Cloth:
+    """It, or ValueError if it is none."""
+    if not isinstance(thing, Cloth):
+        raise ValueError(f"a world's cloth is a Cloth, not {thing!r}")
+    return thing

@@ -36,6 +36,13 @@ class Engine(Protocol):
         """All that happens up to world time `until`; returns how long after the epoch it came."""
 
 
+def an_engine(thing: Engine) -> Engine:
+    """It, or ValueError if it is none."""
+    if isinstance(thing, type) or not all(hasattr(thing, a) for a in ("vmin", "plan", "advance")):
+        raise ValueError(f"an engine is an EventDriven(...) or TimeStepping(...), not {thing!r}")
+    return thing
+
+
 class EventBudgetError(RuntimeError):
     """More events than there may be.
 

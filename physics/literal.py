@@ -34,9 +34,11 @@ def start(world: "World", disturbed: list[int]) -> None:
     """Balls that somebody has put or pushed, and all others with them, are at a substep's start."""
     catch_up(world)
     for i, ball in enumerate(world.scene.balls):
-        w = 1j * (ball.roll / ball.radius)
-        begin(ball, 0j, w, ball.side / ball.radius)
-        remember(ball, w, ball.side / ball.radius)
+        roll, side = ball.roll, ball.side
+        w = 1j * (roll / ball.radius)
+        begin(ball, 0j, w, side / ball.radius)
+        remember(ball, w, side / ball.radius)
+        ball.roll, ball.side = roll, side  # R ω as it was given, not rounded twice
         if ball.phase != RESTING or i in disturbed:
             mark(world, i)
 

@@ -1,27 +1,42 @@
 """Do the balls fit where somebody has put them: inside the walls, and not into one another?"""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from math import hypot
 
 from .ball import Ball
 from .kernel.body import Rule
 from .kernel.flight import nose
+from .kernel.motion import length
 from .wall import Wall
 
 OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
 
 
-def check_places(balls: Sequence[Ball], walls: Sequence[Wall], rule: Rule, slack: float) -> None:
-    """ValueError, naming the ball, if one lies outside the walls or in another one.
+def check_places(
+    balls: Sequence[Ball], walls: Sequence[Wall], fresh: Sequence[Wall], rule: Rule, dt: float
+) -> None:
+    """ValueError, naming the ball, if one that has been put there lies outside the walls or in
+    another one, or any lies outside a wall that is fresh.
 
-    rule: the cushions'.  slack: how far things may overlap beyond OVERLAP, m.
+    What an engine of fixed steps has left overlapping is no fault of the caller's. rule: the
+    cushions'. dt: the engine's step, s, or 0.
     """
+    # fixed steps notice a contact when things overlap by what they move in a step
+    fastest = max((length(complex(*ball.velocity)) for ball in balls), default=0.0)
+    slack = 2.0 * fastest * dt
     here = [ball for ball in balls if ball.phase != "off"]
     for ball in here:
-        for wall in walls:
+        for wall in walls if ball.put else fresh:
             if _depth(ball, wall, rule) > slack + OVERLAP:
                 raise ValueError(f"{ball!r} is outside the wall {wall.name or wall!r}")
-    here.sort(key=lambda ball: ball.position[0] - ball.radius)
+    for ball, other in overlapping(here, slack + OVERLAP):
+        if ball.put or other.put:
+            raise ValueError(f"{ball!r} and {other!r} overlap")
+
+
+def overlapping(balls: Iterable[Ball], slack: float) -> Iterator[tuple[Ball, Ball]]:
+    """The pairs that overlap by more than slack, m."""
+    here = sorted(balls, key=lambda ball: ball.position[0] - ball.radius)
     for i, ball in enumerate(here):
         (x, y), r = ball.position, ball.radius
         for k in range(i + 1, len(here)):
@@ -29,8 +44,8 @@ def check_places(balls: Sequence[Ball], walls: Sequence[Wall], rule: Rule, slack
             (u, v), s = other.position, other.radius
             if u - s > x + r:
                 break
-            if hypot(u - x, v - y, other.height - ball.height) < r + s - slack - OVERLAP:
-                raise ValueError(f"{ball!r} and {other!r} overlap")
+            if hypot(u - x, v - y, other.height - ball.height) < r + s - slack:
+                yield ball, other
 
 
 def _depth(ball: Ball, wall: Wall, rule: Rule) -> float:

@@ -42,6 +42,7 @@ def world_data(world: "World") -> Data:
         "epoch": clock.epoch,
         "now": clock.now,
         "planned": world.planned,
+        **({"loose": True} if clock.loose else {}),  # from fixed steps on: things may overlap
         "due": None if foresees(world) or clock.disturbed else _or_none(world.due),
         "walls": [_wall(wall) for wall in world.walls],
         "balls": [_ball(ball, not foresees(world)) for ball in world.balls],

@@ -22,7 +22,8 @@ from .kernel.impulses import WALL
 from .kernel.motion import AIRBORNE, RESTING
 from .log import Event
 from .shot import Shot, direction
-from .world import World, simulate
+from .simulation import simulate
+from .world import World
 
 if TYPE_CHECKING:
     import numpy as np

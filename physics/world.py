@@ -1,19 +1,22 @@
 """The world: balls, walls and laws on one cloth, and the moment they are at."""
 
+from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from math import inf
 from typing import TypeVar
 
 from . import laws
-from .ball import DISTURBED, Ball, Clock
+from .ball import DISTURBED, Ball, Clock, Placed
 from .checks import finite, nonnegative
-from .cloth import Cloth
-from .engine import Engine, EventDriven
+from .cloth import Cloth, a_cloth
+from .engine import Engine, EventDriven, an_engine
 from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_grid
-from .kernel.lasting import forget
-from .kernel.motion import OFF, RESTING, STILL, carry, length
+from .kernel.motion import OFF, RESTING, STILL
 from .log import Log
+from .parting import part
 from .places import check_places
+from .record import foresees
 from .shot import Shot
 from .wall import Wall
 
@@ -30,9 +33,9 @@ class World:
     """
 
     __slots__ = (  # so that a misspelt name is an error, and not an attribute that nobody reads
-        "__weakref__", "_asking", "_ball_law", "_balls", "_clock", "_cloth", "_cluster_law",
-        "_cushion_law", "_engine", "_index", "_told", "_walls", "_watched", "allowed", "due", "log",
-        "planned", "scene",
+        "__weakref__", "_asking", "_ball_law", "_balls", "_checked", "_clock", "_cloth",
+        "_cluster_law", "_cushion_law", "_engine", "_index", "_told", "_walls", "_watched",
+        "allowed", "due", "log", "planned", "scene",
     )  # fmt: skip
 
     def __init__(
@@ -42,8 +45,8 @@ class World:
         cushion_law: str | laws.CushionLaw = "rigid",
         engine: Engine | None = None,
     ) -> None:
-        self._cloth = Cloth() if cloth is None else _cloth(cloth)
-        self._engine: Engine = EventDriven() if engine is None else _engine(engine)
+        self._cloth = Cloth() if cloth is None else a_cloth(cloth)
+        self._engine: Engine = EventDriven() if engine is None else an_engine(engine)
         self._ball_law = laws.ball_law(ball_law)
         self._cushion_law = laws.cushion_law(cushion_law)
         self._cluster_law: laws.HertzCluster | None = None
@@ -54,6 +57,7 @@ class World:
         self._told: list[object] = []  # the laws from outside that were found to gain energy
         self._index: dict[str, int] = {}
         self._walls: list[Wall] = []
+        self._checked = 0  # how many of the walls all balls are known to be inside of
         self.log = Log()
         self.log.watch(self._walls)
         self.scene = Scene(
@@ -126,7 +130,7 @@ class World:
     @cloth.setter
     def cloth(self, cloth: Cloth) -> None:
         self._refuse_laws("cloth")
-        laws.on_cloth(self._cushion_law, _cloth(cloth).slide)
+        laws.on_cloth(self._cushion_law, a_cloth(cloth).slide)
         self._cloth = cloth
         self._disturb()
         self._clock.cloth = replace(cloth.felt(), still=self._clock.cloth.still)
@@ -179,7 +183,9 @@ class World:
     @engine.setter
     def engine(self, engine: Engine) -> None:
         self._refuse_laws("engine")
-        self._engine = _engine(engine)
+        engine = an_engine(engine)
+        self._clock.loose |= not foresees(self)
+        self._engine = engine
         self._disturb()
         self._renew_rules()
 
@@ -256,20 +262,57 @@ class World:
             body = ball.disturb()
             body.velocity, body.roll, body.side, body.climb = 0j, 0j, 0.0, 0.0
 
+    def layout(self) -> tuple[Placed, ...]:
+        """How all balls lie or move at this moment, in their order, to the last digit."""
+        return tuple(ball.placed for ball in self._balls)
+
+    def recall(self, layout: Sequence[Placed]) -> None:
+        """Put all balls back as a `layout` had them; ValueError if it has another number of them.
+
+        They may overlap, as fixed steps leave them: an exact engine parts them before time passes.
+        """
+        self._refuse_laws("recall")
+        if len(layout) != len(self._balls):
+            raise ValueError(f"the layout is of {len(layout)} balls, not of {len(self._balls)}")
+        for ball, placed in zip(self._balls, layout, strict=True):
+            ball.placed = placed
+        self._clock.moved = self._clock.loose = True
+        self.trust()
+
+    def trust(self) -> None:
+        """That balls overlap as they lie now is no fault of the caller's."""
+        self._checked = len(self._walls)
+        for ball in self._balls:
+            ball.put = False
+
+    def part(self) -> None:
+        """Part balls that fixed steps have left overlapping, unless fixed steps move them on."""
+        if self._clock.loose and foresees(self):
+            part(self._balls, self._walls)
+            self._clock.loose = False
+
     def step(self, dt: float) -> None:
         """Let dt seconds pass; n steps of dt / n lead to the same rest, bit for bit, for any n."""
         nonnegative("World.step dt", dt)
         self._refuse_laws("step")
-        if self._watched:
-            from .watch import undone
-
-            with undone(self):
-                self._step(dt)
-        else:
+        if not self._watched:  # a game steps often
             self._step(dt)
+            return
+        with self._guard():
+            self._step(dt)
+
+    def _guard(self) -> AbstractContextManager[None]:
+        """If a law from outside makes a run fail, it is undone."""
+        if not self._watched:
+            return nullcontext()
+        from .watch import undone
+
+        return undone(self)
 
     def _step(self, dt: float) -> None:
         clock = self._clock
+        if clock.loose and dt > 0.0 and not self.at_rest:
+            self.part()
         if clock.disturbed:
             self.plan()
         now = clock.now + dt
@@ -284,18 +327,12 @@ class World:
             until = finite("World.run until", until)
         if until < self.time:
             raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
-        if self._watched:
-            from .watch import undone
-
-            with undone(self):
-                self._run(until)
-        else:
-            self._run(until)
-
-    def _run(self, until: float) -> None:
-        self.plan()
-        reached = self._engine.advance(self, until)
-        self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
+        with self._guard():
+            if self._clock.loose and not self.at_rest:
+                self.part()
+            self.plan()
+            reached = self._engine.advance(self, until)
+            self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
 
     def reached(self, now: float) -> None:
         """For the engine, which must stop early: how far it came, seconds since the epoch."""
@@ -303,9 +340,10 @@ class World:
 
     def copy(self) -> "World":
         """The same world once more, on the same legs, to be continued apart."""
-        return self._fork(self.log.copy())
+        return self.fork(self.log.copy())
 
-    def _fork(self, log: Log) -> "World":
+    def fork(self, log: Log) -> "World":
+        """The same, with another log."""
         world = World.__new__(World)
         clock = self._clock.copy()
         balls = [ball.twin(clock) for ball in self._balls]
@@ -338,28 +376,18 @@ class World:
         if not clock.disturbed:
             return
         if clock.moved:
-            # fixed steps notice a contact when things overlap by what they move in a step
-            fastest = max((length(complex(*ball.velocity)) for ball in self._balls), default=0.0)
-            slack = 2.0 * fastest * getattr(self._engine, "dt", 0.0)
-            check_places(self._balls, self._walls, self.scene.cushion_rule, slack)
+            fresh, dt = self._walls[self._checked :], getattr(self._engine, "dt", 0.0)
+            check_places(self._balls, self._walls, fresh, self.scene.cushion_rule, dt)
+            self.trust()
             self._lay_grid()
         if all(body.phase in (RESTING, OFF, DISTURBED) for body in bodies):
-            self._begin_epoch()
+            clock.begin_epoch(bodies)
         self.planned = self.time
         self._engine.plan(self, [i for i, body in enumerate(bodies) if body.phase == DISTURBED])
         clock.disturbed = clock.moved = False
         for i, body in enumerate(bodies):
             if not self.log.knows(i):
                 self.log.begin(i, clock.epoch, body, clock.cloth.fade)
-
-    def _begin_epoch(self) -> None:
-        """Count time from now on: the same shot has the same digits, whenever it is played."""
-        clock = self._clock
-        for body in self.scene.balls:
-            carry(body, clock.now, clock.cloth)
-            body.since = 0.0
-            forget(body)
-        clock.epoch, clock.now = clock.epoch + clock.now, 0.0
 
     def _lay_grid(self) -> None:
         """Cells for many balls, in place of the table of all their meetings."""
@@ -368,27 +396,3 @@ class World:
             spots = [body.position for body in self.scene.balls]
             cells = grid(spots, max(ball.radius for ball in self._balls))
             self.scene = self.scene._replace(celled=True, grid=cells, meetings=[])
-
-
-def _cloth(cloth: Cloth) -> Cloth:
-    if not isinstance(cloth, Cloth):
-        raise ValueError(f"a world's cloth is a Cloth, not {cloth!r}")
-    return cloth
-
-
-def _engine(engine: Engine) -> Engine:
-    if isinstance(engine, type) or not all(hasattr(engine, a) for a in ("vmin", "plan", "advance")):
-        raise ValueError(f"an engine is an EventDriven(...) or TimeStepping(...), not {engine!r}")
-    return engine
-
-
-def simulate(world: World, ball: Ball | str, shot: Shot) -> World:
-    """A copy of the world, after the shot, all at rest; its log holds the shot.
-
-    ball is one of the world's, or its name. The world itself stays as it is.
-    """
-    world.plan()
-    after = world._fork(world.log.fresh())
-    after.strike(ball, shot)
-    after.run()
-    return after

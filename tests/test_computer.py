@@ -97,8 +97,10 @@ def test_while_the_computer_thinks_the_window_answers(quick):
             app.frame(FRAME)
         assert app.game.shots == shots
         press(app, "escape")
-    pygame.event.post(pygame.event.Event(pygame.QUIT))
-    app.frame(FRAME)
+    for _ in range(2):  # the first time it is asked about: a match is being played
+        assert not app.game.over
+        pygame.event.post(pygame.event.Event(pygame.QUIT))
+        app.frame(FRAME)
     assert app.game.over
 
 

@@ -237,6 +237,7 @@ def test_each_player_finds_the_own_speed_and_spins_again():
     stroke(game, speed=0.5, follow=0.25, angle=90.0)
     stroke(game, speed=0.7, side=0.5, angle=0.0)
     assert game.contest.match.at == 0
+    game.perform(Action("next"))
     assert game.aim.texts[:4] == ["0.5", "0.25", "0", "0"]
 
 

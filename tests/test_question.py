@@ -1,10 +1,11 @@
-"""What ends a running match is asked for first, and "no" leaves everything as it was."""
+"""What ends or changes a running match is asked for first: "no" leaves everything as it was."""
 
 import pygame
 import pytest
 from matches import menu_button, opening_numbers
 from players import FRAME, an_app, assert_same_as_anew, click, enter, pixels, places, press, write
 
+from game.actions import Action
 from game.text import LANGUAGES, words
 from game.ui import question, sheetview, shelfview
 from game.ui.choices import ROWS
@@ -114,6 +115,130 @@ def test_a_new_game_from_the_menu_asks_too(app):
     assert app.view.question is not None
 
 
+# -- what changes it, and leaving the game, also without a page
+
+
+def to_the_engine_card(app, down):
+    card = app.view.sight.layout.engine
+    click(app, (card.x + 40, card.centery + (12 if down else -12)))
+
+
+def to_a_row(app, name):
+    place = next(i for i, row in enumerate(ROWS) if row.name == name)
+    press(app, "f3", *["down"] * ((place - app.view.sheets["settings"].focus) % len(ROWS)), "right")
+
+
+CHANGES = {
+    "the key of the engine": ("engine", lambda app: press(app, "e")),
+    "the key of the laws": ("law", lambda app: press(app, "l")),
+    "the engine on its card": ("engine", lambda app: to_the_engine_card(app, down=False)),
+    "the laws on the card": ("law", lambda app: to_the_engine_card(app, down=True)),
+    "the engine among the settings": ("engine", lambda app: to_a_row(app, "engine")),
+    "the laws among the settings": ("law", lambda app: to_a_row(app, "law")),
+    "the cloth among the settings": ("cloth", lambda app: to_a_row(app, "cloth")),
+}
+
+
+@pytest.mark.parametrize("how", CHANGES)
+@pytest.mark.parametrize("rolling", [False, True])
+def test_what_a_match_is_played_with_is_not_changed_unasked(app, how, rolling):
+    name, change = CHANGES[how]
+    if rolling:
+        press(app, "ctrl+return")
+        for _ in range(20):
+            app.frame(FRAME)
+    game, match, was = app.game, app.game.contest.match, getattr(app.game, name)
+    change(app)
+    assert app.view.question is not None
+    before = everything(app)
+    for _ in range(30):
+        app.frame(FRAME)
+    assert everything(app) == before  # time stands
+    press(app, "escape")
+    assert app.view.question is None
+    assert (getattr(game, name), game.contest.match, game.moving) == (was, match, rolling)
+    press(app, *["escape"] * bool(game.sheet))
+    assert game.sheet == ""
+    change(app)
+    press(app, "right", "return", *["escape"] * bool(game.sheet))
+    assert getattr(game, name) != was
+    assert game.contest.match == match
+    assert game.moving == rolling
+
+
+LEAVES = {
+    "the window's button": lambda app: (
+        pygame.event.post(pygame.event.Event(pygame.QUIT)), app.frame(FRAME)
+    ),
+    "the menu": lambda app: (press(app, "f10"), click(app, menu_button(app, "quit"))),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("how", LEAVES)
+def test_a_match_is_not_left_unasked(app, how):
+    before = everything(app)
+    LEAVES[how](app)
+    assert not app.game.over
+    assert app.view.question.words == "ask.quit"
+    press(app, "return")
+    assert not app.game.over
+    press(app, *["escape"] * bool(app.game.sheet))
+    assert everything(app) == before
+    LEAVES[how](app)
+    press(app, "tab", "return")
+    assert app.game.over
+
+
+@pytest.mark.parametrize("how", LEAVES)
+@pytest.mark.parametrize("page", [None, "f1", "f3", "f10"])
+def test_closing_the_window_twice_leaves_wherever_it_was_asked(app, how, page):
+    press(app, *[page] * (page is not None))
+    LEAVES["the window's button"](app)
+    assert not app.game.over
+    assert_same_as_anew(app)
+    LEAVES["the window's button"](app)
+    assert app.game.over
+
+
+def test_closing_the_window_over_another_question_asks_about_that_first(app):
+    to_another_table(app)
+    LEAVES["the window's button"](app)
+    assert not app.game.over
+    assert app.view.question.words == "ask.quit"
+    LEAVES["the window's button"](app)
+    assert app.game.over
+    assert app.game.contest is not None
+
+
+def test_a_signal_leaves_at_once(app):
+    app.handle(pygame.event.Event(pygame.QUIT, sure=True))
+    assert app.game.over
+
+
+@pytest.mark.parametrize("begun", [False, True])
+def test_the_free_table_and_a_match_not_begun_are_left_at_once(begun):
+    app = an_app(game="four-ball") if begun else an_app()
+    LEAVES["the window's button"](app)
+    assert app.game.over
+
+
+def test_what_is_chosen_already_is_not_asked_about(app):
+    app.perform(Action("law", app.game.law))
+    assert app.view.question is None
+
+
+@pytest.mark.parametrize("size", [(640, 360), (1280, 720)])
+@pytest.mark.parametrize("key", ["e", "l"])
+def test_a_question_over_the_table_is_the_same_drawn_in_part_and_anew(size, key):
+    app = an_app(size=size, game="four-ball")
+    press(app, key)
+    assert_same_as_anew(app)
+    press(app, "right")
+    assert_same_as_anew(app)
+    press(app, "return")
+    assert_same_as_anew(app)
+
+
 def test_nothing_is_asked_on_the_free_table_or_when_the_match_is_over():
     app = an_app()
     to_another_table(app)
@@ -164,6 +289,8 @@ def test_what_is_asked_and_answered_fits(lang, size):
     sight, w = an_app(size=size, lang=lang).view.sight, words(lang)
     s, type_ = sight.layout.s, sight.type
     room = question.box(sight.layout).w - 24 * s
-    assert max(type_.width(w["ask.match"], 15), type_.width(w["ask.hint"], 13)) <= room
-    for name, rect in zip(question.ANSWERS, question.answers(sight.layout), strict=True):
-        assert type_.width(w[f"ask.{name}"], 15) <= rect.w - 8 * s
+    for key in ("ask", "ask.terms", "ask.quit"):
+        said = type_.width(w[f"{key}.match"], 15), type_.width(w[f"{key}.hint"], 13)
+        assert max(said) <= room
+        for name, rect in zip(question.ANSWERS, question.answers(sight.layout), strict=True):
+            assert type_.width(w[f"{key}.{name}"], 15) <= rect.w - 8 * s

@@ -11,7 +11,7 @@ from game.match.candidates import CUSHIONS, DIRECT, aims
 from game.match.match import Match
 from game.match.rules import NO_BALL, Verdict
 from game.match.skill import Aim, Level
-from physics import EventBudgetError, Shot, World, simulate
+from physics import Shot, World, simulate
 
 EFFORT = 4000  # aims tried at most before it plays the best it has
 ENOUGH = 60  # scoring aims after which it stops looking and starts comparing
@@ -189,6 +189,6 @@ class Opponent:
         self.tried += 1
         try:
             after = simulate(self._world, self._turn.cue, aim.shot())
-        except EventBudgetError:  # nobody can play what the engine cannot follow
+        except RuntimeError:  # nobody can play what the engine cannot follow
             return Verdict(NO_BALL, foul=True)
         return self._rules.verdict(after.log.contacts(), self._turn)

@@ -93,6 +93,7 @@ WORDS = {
     "notice.full": "A box takes no more characters",
     "notice.law": "Laws: {law}",
     "notice.engine": "Engine: {engine}",
+    "notice.failed": "the engine failed, balls put back",
     "notice.budget": "too many hits at once, stopped",
     "wrong": "wrong input · {box}: {why}",
     "wrong.mended": "wrong input · mended, Enter",

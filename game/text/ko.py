@@ -93,6 +93,7 @@ WORDS = {
     "notice.full": "이 칸에는 더 쓸 수 없습니다",
     "notice.law": "법칙: {law}",
     "notice.engine": "엔진: {engine}",
+    "notice.failed": "계산 오류로 공을 되돌렸습니다",
     "notice.budget": "충돌이 너무 많아 멈췄습니다",
     "wrong": "입력 오류 · {box}: {why}",
     "wrong.mended": "입력 오류 · 고침, Enter",

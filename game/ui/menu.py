@@ -146,7 +146,8 @@ class Menu:
 
     def open(self, game: Game) -> None:
         """Begin with what is being played."""
-        self.fixture = game.contest.fixture if game.contest else self._free(game)
+        begun = game.contest.fixture if game.contest else self._free(game)
+        self.fixture = replace(begun, engine=game.match_engine)
         self._left = None
         self._focus(0)
 

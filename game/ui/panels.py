@@ -76,7 +76,7 @@ def _head_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyga
 
 def _result_look(sight: Sight) -> plates.Result:
     w, contest = sight.words, sight.game.contest
-    if contest is not None and contest.verdict is not None:
+    if contest is not None and contest.verdict is not None and sight.game.head.at is None:
         return plates.result(contest, contest.verdict, sight)
     balls, cushions = sight.game.counts
     time = sight.game.readout_time

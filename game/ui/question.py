@@ -1,4 +1,4 @@
-"""A question over a page: what ends a running match is done only when the player says so."""
+"""A question over a page or the table: what ends or changes a running match is asked for first."""
 
 from __future__ import annotations
 
@@ -16,6 +16,10 @@ from .parts import Sight
 
 ENDING = ("table", "line", "scene")
 """Actions that begin something else, and so end a match."""
+TERMS = ("engine", "law", "cloth")
+"""Actions that change what a match is played with."""
+LEAVING = ("match", "quit")
+"""Actions that end a match, which is no loss before its first stroke."""
 WIDTH, HEIGHT = 480, 150
 ANSWERS = ("keep", "end")
 STEPS = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_UP: -1, pygame.K_DOWN: 1, pygame.K_TAB: 1}
@@ -23,19 +27,47 @@ GIVEN = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
 
 
 def due(action: Action, game: Game) -> bool:
-    """Would the action end a match that is being played?  A new one may replace one not begun."""
+    """Would the action end or change a match that is being played?"""
     if game.contest is None or game.contest.match.finished:
         return False
-    begun = game.moving or not game.contest.match.opening
-    return action.name in ENDING or (action.name == "match" and begun)
+    if action.name in LEAVING:
+        return game.moving or not game.contest.match.opening
+    if action.name in TERMS:
+        return bool(action.value != getattr(game, action.name))
+    return action.name in ENDING
+
+
+class Table:
+    """The page of a question that is asked over the table: nothing but the question is on it."""
+
+    typing = False
+
+    def open(self, game: Game) -> None:
+        """There is nothing to begin with."""
+
+    def look(self, sight: Sight) -> Hashable:
+        """Return what its picture depends on: nothing."""
+        return None
+
+    def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
+        """Draw nothing; returns where the question will be."""
+        return box(sight.layout)
+
+    def handle(self, event: pygame.event.Event, sight: Sight) -> Action | None:
+        """Without its question, it goes away."""
+        return Action("sheet", "") if event.type == pygame.KEYDOWN else None
 
 
 class Question:
-    """Whether an action is to be done though it ends the match; at first the answer is no."""
+    """Whether an action is to be done though it ends or changes the match; at first it is not."""
 
     def __init__(self, action: Action) -> None:
         self.action = action
         self.focus, self.over = 0, -1
+        self.words = "ask"
+        """How the keys of its texts begin."""
+        if action.name == "quit" or action.name in TERMS:
+            self.words = "ask.quit" if action.name == "quit" else "ask.terms"
 
     def look(self) -> Hashable:
         """Return what its picture depends on."""
@@ -67,12 +99,11 @@ class Question:
         shade.set_alpha(150)
         surface.blit(shade, page)
         shapes.box(surface, rect, s, theme.PANEL_RAISED, theme.LINE_INPUT)
-        middle = rect.centerx
-        type_.draw(surface, w["ask.match"], (middle, rect.y + 36 * s), 15, theme.TEXT, "centre")
-        hint = (middle, rect.y + 62 * s)
-        type_.draw(surface, w["ask.hint"], hint, 13, theme.TEXT_SOFT, "centre")
+        said, hint = (rect.centerx, rect.y + 36 * s), (rect.centerx, rect.y + 62 * s)
+        type_.draw(surface, w[f"{self.words}.match"], said, 15, theme.TEXT, "centre")
+        type_.draw(surface, w[f"{self.words}.hint"], hint, 13, theme.TEXT_SOFT, "centre")
         for k, (name, spot) in enumerate(zip(ANSWERS, answers(layout), strict=True)):
-            hot, label = k == self.over, w[f"ask.{name}"]
+            hot, label = k == self.over, w[f"{self.words}.{name}"]
             pages.button(surface, spot, type_, label, k == self.focus, hot, k == 0)
 
 

@@ -123,6 +123,7 @@ class Stage:
         fan = self._draw_fan(game)
         self._marked = fan + marks.draw(self.lines, self.layout, game, self.looks, aids)
         self.lines.set_clip(None)
+        self.trail.undrawn()
         self._marked += self.trail.draw(self.lines, self.layout, game, self.looks)
         return old + self._marked
 

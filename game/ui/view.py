@@ -50,6 +50,7 @@ class View:
         self.game, self.pointer, self.spread = game, Pointer(), Spread()
         self.sheets: dict[str, Page] = {
             "settings": Sheet(), "menu": Menu(), "shelf": Shelf(), "rules": Rules(),
+            "ask": question.Table(),
         }  # fmt: skip
         self.composition = Composition()
         self.question: Question | None = None
@@ -87,10 +88,11 @@ class View:
         """Return what an event means for the page over the table, or for the question over it."""
         if self.question is not None:
             return self._answer(self.question, event)
-        action = self.sheet.handle(event, self.sight)
-        if action is not None and question.due(action, self.game):
-            self.question, action = Question(action), None
-        return action
+        return self.sheet.handle(event, self.sight)
+
+    def ask(self, action: Action) -> None:
+        """Ask over the page whether an action is to be done."""
+        self.question = Question(action)
 
     def _answer(self, asked: Question, event: pygame.event.Event) -> Action | None:
         if event.type == pygame.KEYDOWN:
