@@ -17,6 +17,7 @@ from .kernel.motion import (
     motion,
     place,
 )
+from .kernel.tilt import touching_distance
 
 DISTURBED = -1  # the phase of a ball that somebody has touched and no engine has looked at yet
 NOWHERE = Felt(0.0, 0.0, 0.0)  # the cloth under a ball that is in no world yet
@@ -70,9 +71,8 @@ class Ball:
     ) -> None:
         self._name = name
         self._clock = Clock(NOWHERE)
-        self._body = Body(
-            positive(f"ball {name!r}: radius", radius), positive(f"ball {name!r}: mass", mass)
-        )
+        radius = positive(f"ball {name!r}: radius", radius)
+        self._body = Body(radius, positive(f"ball {name!r}: mass", mass), lift=radius)
         self.position = at
         self.velocity = velocity
         self.spin = spin
@@ -94,6 +94,13 @@ class Ball:
     def mass(self) -> float:
         """Kilograms."""
         return self._body.mass
+
+    def touching_distance(self, other: "Ball") -> float:
+        """m between the centres, over the table, of two balls of a world that touch on its cloth.
+
+        2 √(r R) for radii r and R; for discs r + R, which is the same if they are equal.
+        """
+        return float(touching_distance(self._body, other._body))
 
     @property
     def position(self) -> tuple[float, float]:

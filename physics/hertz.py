@@ -17,6 +17,7 @@ from .kernel.grid import NOBODY, pass_by
 from .kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
 from .kernel.motion import SLIDING, carry, length, place
 from .kernel.subset import room
+from .kernel.tilt import between, tilt
 
 if TYPE_CHECKING:
     from .laws import HertzCluster
@@ -78,7 +79,7 @@ def gather(i: int, j: int, time: float, balls: Any, gap: float) -> tuple[list[in
         for k, other in enumerate(balls):
             if k == a or {a, k} == {i, j} or other.phase > SLIDING:
                 continue
-            far = length(place(other, time - other.since) - spot)
+            far = between(balls[a], other, place(other, time - other.since) - spot)
             if far < balls[a].radius + other.radius + gap:
                 if k not in members:
                     members.append(k)
@@ -116,7 +117,8 @@ def _rub(ties: Sequence[Tie], scene: Scene) -> None:
     balls, fastest = scene.balls, 0.0
     for tie in ties:
         a, b = balls[tie.first], balls[tie.second]
-        tie.grip, tie.rub = grip(slip_between(a, b, toward(a, b)), scene.ball_rule), 0j
+        tie.grip = grip(slip_between(a, b, toward(a, b)), scene.ball_rule) / tilt(a, b)[0]
+        tie.rub = 0j
         fastest = max(fastest, length(a.velocity), length(b.velocity))
     for _ in range(SWEEPS):
         if max([relax_rub(tie, balls) for tie in ties]) <= AGREES * fastest:
@@ -124,7 +126,8 @@ def _rub(ties: Sequence[Tie], scene: Scene) -> None:
 
 
 def outcome(balls: Sequence[Body], contacts: Contacts, e: float) -> list[float]:
-    """The impulse, N s, that every contact (ball, ball) has passed when all have parted.
+    """The impulse along the table, N s, that every contact (ball, ball) has passed when all have
+    parted.
 
     All contacts begin to touch at once; one that closes with the greatest speed, alone, parts with
     e times that speed.
@@ -132,6 +135,7 @@ def outcome(balls: Sequence[Body], contacts: Contacts, e: float) -> list[float]:
     import numpy as np
 
     lines = [toward(balls[a], balls[b]) for a, b in contacts]
+    levels = np.array([tilt(balls[a], balls[b])[0] for a, b in contacts])
     arms = np.zeros((len(contacts), len(balls)), complex)
     springs = np.empty(len(contacts))
     for c, (a, b) in enumerate(contacts):
@@ -139,11 +143,12 @@ def outcome(balls: Sequence[Body], contacts: Contacts, e: float) -> list[float]:
         springs[c] = (
             balls[a].radius * balls[b].radius / (balls[a].radius + balls[b].radius)
         ) ** 0.5
+    arms *= levels[:, None]
     closing = (arms @ np.array([ball.velocity for ball in balls])).real
     speed, mass = closing.max(), balls[0].mass
     yielding = ((arms * [mass / ball.mass for ball in balls]) @ arms.conj().T).real
     pushes = _follow(closing / speed, yielding, springs / springs[0], damping(e), np)
-    return [float(push) for push in mass * speed * pushes]
+    return [float(push) for push in mass * speed * pushes * levels]
 
 
 def damping(e: float) -> float:

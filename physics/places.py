@@ -22,15 +22,14 @@ def check_places(balls: Sequence[Ball], walls: Sequence[Wall], rule: Rule, slack
             if _depth(ball, wall, rule) > slack + OVERLAP:
                 raise ValueError(f"{ball!r} is outside the wall {wall.name or wall!r}")
     here.sort(key=lambda ball: ball.position[0] - ball.radius)
-    for i, ball in enumerate(here):
-        (x, y), r = ball.position, ball.radius
+    spots = [(*ball.position, ball.height + ball.body.lift, ball.radius) for ball in here]
+    for i, (x, y, z, r) in enumerate(spots):
         for k in range(i + 1, len(here)):
-            other = here[k]
-            (u, v), s = other.position, other.radius
+            u, v, w, s = spots[k]
             if u - s > x + r:
                 break
-            if hypot(u - x, v - y, other.height - ball.height) < r + s - slack - OVERLAP:
-                raise ValueError(f"{ball!r} and {other!r} overlap")
+            if hypot(u - x, v - y, w - z) < r + s - slack - OVERLAP:
+                raise ValueError(f"{here[i]!r} and {here[k]!r} overlap")
 
 
 def _depth(ball: Ball, wall: Wall, rule: Rule) -> float:

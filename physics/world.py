@@ -25,12 +25,14 @@ class World:
 
     ball_law and cushion_law: a law of `physics.laws`, its name, or any callable (see there). All
     can be read and assigned at any moment. What cannot be raises ValueError and changes nothing.
+    discs: are its balls flat?  Two of radii r and R then touch r + R apart, and level; round ones
+    do so 2 √(r R) apart (docs/physics.md). Both are the same for balls of one size.
     """
 
     __slots__ = (  # so that a misspelt name is an error, and not an attribute that nobody reads
         "__weakref__", "_asking", "_ball_law", "_balls", "_clock", "_cloth", "_cluster_law",
-        "_cushion_law", "_engine", "_index", "_told", "_walls", "_watched", "allowed", "due", "log",
-        "planned", "scene",
+        "_cushion_law", "_discs", "_engine", "_index", "_told", "_walls", "_watched", "allowed",
+        "due", "log", "planned", "scene",
     )  # fmt: skip
 
     def __init__(
@@ -39,7 +41,11 @@ class World:
         ball_law: str | laws.BallLaw = "rough",
         cushion_law: str | laws.CushionLaw = "rigid",
         engine: Engine | None = None,
+        discs: bool = False,
     ) -> None:
+        if not isinstance(discs, bool):
+            raise ValueError(f"a world's discs is True or False, not {discs!r}")
+        self._discs = discs
         self._cloth = Cloth() if cloth is None else _cloth(cloth)
         self._engine: Engine = EventDriven() if engine is None else _engine(engine)
         self._ball_law = laws.ball_law(ball_law)
@@ -86,6 +92,8 @@ class World:
             raise ValueError(f"there is a ball {ball.name!r} already")
         n = len(self._balls) + 1
         body = ball.join(self._clock)
+        if self._discs:
+            body.lift = 0.0
         self._index[ball.name] = n - 1
         self._balls.append(ball)
         self.scene.balls.append(body)
@@ -113,6 +121,11 @@ class World:
         return self._balls[self._index[name]]
 
     # -- how it works --------------------------------------------------------------------------
+
+    @property
+    def discs(self) -> bool:
+        """Are its balls flat?"""
+        return self._discs
 
     @property
     def cloth(self) -> Cloth:

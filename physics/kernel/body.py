@@ -6,7 +6,7 @@ from math import inf, sqrt
 from operator import attrgetter
 from typing import Any, NamedTuple
 
-CONTACTS = 3  # a ball, in a cluster: more, discs on a table cannot have
+CONTACTS = 5  # a ball, in a cluster: more, balls on a table cannot have (docs/physics.md)
 
 
 @dataclass(slots=True, eq=False)
@@ -15,6 +15,7 @@ class Body:
 
     radius: float = 0.03275
     mass: float = 0.25
+    lift: float = 0.0  # of the centre above the cloth that it lies on: its radius, or 0 for a disc
     # the leg: how it moves from `since` on
     since: float = 0.0
     position: complex = 0j
