@@ -104,7 +104,7 @@ def preview(world: World, cue: str, shot: Shot) -> Preview | None:
     end = since + decision
     if first is None:
         return Preview(told, None, _way(legs[cue], since, end), (), (), bounces)
-    contact = _contact(first, legs, cue, since, {ball.name: ball.radius for ball in world.balls})
+    contact = _contact(first, legs, cue, since, world)
     hit = since + first.time
     own, other = legs[cue], legs[contact.ball]
     parts = _way(own, since, hit), _way(own, hit, end), _way(other, hit, end)
@@ -229,9 +229,7 @@ def _points(leg: Leg, a: float, b: float) -> list[Place]:
     return [(p.real, p.imag) for p in spots]
 
 
-def _contact(
-    met: Mark, legs: Legs, cue: str, since: float, radii: dict[str, float]
-) -> Contact:
+def _contact(met: Mark, legs: Legs, cue: str, since: float, world: World) -> Contact:
     ball = next(name for name in met.balls if name != cue)
     own, left = _turn(legs[cue], since + met.time)
     other, sent = _turn(legs[ball], since + met.time)
@@ -239,7 +237,7 @@ def _contact(
     way = complex(*own.velocity) - complex(*other.velocity)
     turn = phase(line / way) if way else 0.0
     aside = abs(line) * abs((line / abs(line) / (way / abs(way))).imag) if way else 0.0
-    overlap = 1.0 - aside / (radii[ball] + radii[cue])
+    overlap = 1.0 - aside / world.ball(cue).touching_distance(world.ball(ball))
     leaves = left.velocity, sent.velocity
     signed = -overlap if turn < 0 else overlap
     return Contact(ball, own.position, other.position, leaves, signed, abs(degrees(turn)))

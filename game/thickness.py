@@ -69,5 +69,5 @@ def _straight(world: World, cue: str, contact: Contact, eighths: int) -> float:
     """The angle if the cue ball runs straight to the ball, degrees."""
     own, other = world.ball(cue), world.ball(contact.ball)
     line = complex(*other.position) - complex(*own.position)
-    past = eighths / EIGHTHS * (own.radius + other.radius)
+    past = eighths / EIGHTHS * own.touching_distance(other)
     return degrees(phase(line) - asin(past / abs(line)))
