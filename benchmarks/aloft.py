@@ -35,7 +35,7 @@ def gaps(world: World, time: float, lost_at: dict[str, float]) -> Iterator[tuple
     """Of all pairs, of balls and the cloth, and of balls and noses, at a moment, m."""
     rule = world.scene.cushion_rule
     here = [
-        (world.ball(name), state, (*state.position, state.height))
+        (world.ball(name), state, (*state.position, state.height + world.ball(name).body.lift))
         for name, state in world.log.at(time).items()
         if lost_at.get(name, inf) > time
     ]

@@ -18,6 +18,7 @@ def dump(world: World, why: str, holds: dict[str, Any], until: float | None = No
         "engine": _numbers(world.engine),
         "ball_law": [type(world.ball_law).__name__, _numbers(world.ball_law)],
         "cushion_law": [type(world.cushion_law).__name__, _numbers(world.cushion_law)],
+        "discs": world.discs,
         "walls": [
             {
                 "name": wall.name,
@@ -63,6 +64,7 @@ def load(path: Path) -> tuple[World, dict[str, Any]]:
         getattr(laws, ball_law)(**ball_numbers),
         getattr(laws, cushion_law)(**cushion_numbers),
         EventDriven(**case["engine"]),
+        case.get("discs", len({ball["radius"] for ball in case["balls"]}) > 1),  # as it was once
     )
     for wall in case["walls"]:
         world.add(Wall(complex(*_floats(wall["normal"])), _float(wall["offset"]), wall["name"]))

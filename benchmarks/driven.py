@@ -117,7 +117,7 @@ def meddle(ball: Ball, world: World, dice: Random) -> None:
         p = complex(*ball.position)
         q = p + rect(10.0 ** dice.uniform(-9.0, -1.0), dice.uniform(-pi, pi))
         free = all(
-            abs(q - complex(*b.position)) > b.radius + ball.radius
+            abs(q - complex(*b.position)) > b.touching_distance(ball)
             for b in world.balls
             if b is not ball
         )

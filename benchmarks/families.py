@@ -14,6 +14,7 @@ from .trials import (
     RADIUS,
     Family,
     Trial,
+    apart,
     box,
     engine,
     push,
@@ -204,8 +205,9 @@ def convoys(k: int, dice: Random) -> Trial:
 
 
 def heaps(k: int, dice: Random) -> Trial:
-    """Touching balls of different sizes and masses, in a random cluster, hit by another."""
-    world = World(Cloth(), BALL_LAWS[k % len(BALL_LAWS)], engine=engine(dice.choice((1e-3, 1e-4))))
+    """Touching balls or discs, of many sizes and masses, in a random cluster that another hits."""
+    law, vmin = BALL_LAWS[k % len(BALL_LAWS)], dice.choice((1e-3, 1e-4))
+    world = World(Cloth(), law, engine=engine(vmin), discs=k // len(BALL_LAWS) % 2 == 1)
     scatter_heap(world, dice)
     p = rect(0.8, dice.uniform(-pi, pi))
     v = -dice.choice((0.5, 5.0, 50.0)) * p
@@ -222,8 +224,9 @@ def scatter_heap(world: World, dice: Random) -> None:
         radius = dice.choice((RADIUS, dice.uniform(0.02, 0.05)))
         for _ in range(30):
             other = dice.choice(world.balls)
-            p = complex(*other.position) + rect(other.radius + radius, dice.uniform(-pi, pi))
-            near = min(abs(p - complex(*b.position)) - b.radius - radius for b in world.balls)
+            ball = Ball(f"{k}", (0.0, 0.0), radius=radius)
+            p = complex(*other.position) + rect(apart(world, other, ball), dice.uniform(-pi, pi))
+            near = min(abs(p - complex(*b.position)) - apart(world, b, ball) for b in world.balls)
             if near > -1e-15:
                 world.add(
                     Ball(f"{k}", (p.real, p.imag), radius=radius, mass=dice.uniform(0.05, 1.0))

@@ -135,9 +135,9 @@ def _pair_faults(world: World, motion: Motion) -> list[str]:
     n = len(world.balls)
     if n < 2:
         return []
-    radii = np.array([ball.radius for ball in world.balls])
     first, second = np.triu_indices(n, 1)
-    reach = (radii[first] + radii[second])[None, :]
+    pairs = [(world.balls[i], world.balls[j]) for i, j in zip(first, second, strict=True)]
+    reach = np.array([[one.touching_distance(other) for one, other in pairs]])
     q, w, b = (x[:, second] - x[:, first] for x in motion[1:4])
     t = motion.lasts[:, None]
     put = np.minimum(np.abs(q[0]) - reach[0], 0.0) - OVERLAP

@@ -51,7 +51,7 @@ def look(world: World, damage: Damage) -> bool:
         p = ball.position
         for other in world.balls[:i]:
             q = other.position
-            deepest = max(deepest, ball.radius + other.radius - hypot(p[0] - q[0], p[1] - q[1]))
+            deepest = max(deepest, ball.touching_distance(other) - hypot(p[0] - q[0], p[1] - q[1]))
         for wall in world.walls:
             damage.outside = max(damage.outside, ball.radius - wall.distance(p))
     damage.overlap = max(damage.overlap, deepest)

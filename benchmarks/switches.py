@@ -24,7 +24,7 @@ def fresh() -> Package:
     copy = ModuleType(f"{name}.subset")
     vars(copy).update({k: v for k, v in vars(subset).items() if not k.startswith("__")})
     package = load(name, copy)
-    for module in ("cluster", "contact", "grid", "laws", "motion"):
+    for module in ("cluster", "contact", "grid", "laws", "motion", "tilt"):
         import_module(f"{name}.{module}")
     return package
 
@@ -55,7 +55,7 @@ def without_rest(package: Package) -> None:
         t = time - b.since
         q, v = place(b, t) - a.position, b.velocity + t * b.acceleration - a.velocity
         lasts = min(a.leg_end, b.leg_end) - time
-        bend, reach = b.acceleration - a.acceleration, a.radius + b.radius
+        bend, reach = b.acceleration - a.acceleration, package.tilt.touching_distance(a, b)
         return time + contact.contact_time(q, v, bend, reach, lasts)
 
     replace(package, package.contact.meeting, meeting)
@@ -151,10 +151,10 @@ def with_rubbing(package: Package) -> None:
     """Friction between balls is worked out where there is none."""
     laws = package.laws
 
-    def ball(v: complex, roll: complex, side: float, mass: float, rule: Any) -> Any:
+    def ball(v: complex, roll: complex, side: float, mass: float, level: float, rule: Any) -> Any:
         push = mass * laws.rebound(v.real, rule)
         slip = complex(v.imag + side, -roll.real)
-        return push, laws.friction(slip, 0.0 * push, 3.5 / mass)
+        return push, laws.friction(slip, 0.0 * push / level, 3.5 / mass)
 
     replace(package, laws.ball_law, ball)
 

@@ -23,7 +23,7 @@ Image = Callable[[complex], complex]
 
 def image(world: World, of: Image, hand: float, order: list[int]) -> World:
     """The world with every vector turned by `of`; hand is -1 for a mirror, which turns spins."""
-    other = World(world.cloth, world.ball_law, world.cushion_law, world.engine)
+    other = World(world.cloth, world.ball_law, world.cushion_law, world.engine, discs=world.discs)
     for wall in world.walls:
         normal = of(wall.normal)
         other.add(Wall(normal, wall.offset, wall.name))

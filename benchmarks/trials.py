@@ -91,25 +91,30 @@ def push(ball: Ball, dice: Random, speed: float) -> None:
     ball.spin = tuple(dice.uniform(-2.0, 2.0) * speed / ball.radius for _ in range(3))
 
 
+def apart(world: World, ball: Ball, new: Ball) -> float:
+    """How far from a ball of the world one that is not in it yet will touch it, metres."""
+    return ball.radius + new.radius if world.discs else ball.touching_distance(new)
+
+
 def gap(ball: Ball, world: World) -> float:
     """From a ball to whatever is nearest in its world, metres."""
     p = complex(*ball.position)
     near = min((wall.distance((p.real, p.imag)) - ball.radius for wall in world.walls), default=inf)
     return min(
-        [near] + [abs(complex(*b.position) - p) - b.radius - ball.radius for b in world.balls]
+        [near] + [abs(complex(*b.position) - p) - apart(world, b, ball) for b in world.balls]
     )
 
 
-def spot(dice: Random, world: World, radius: float, freely: bool) -> complex:
+def spot(dice: Random, world: World, ball: Ball, freely: bool) -> complex:
     """Anywhere; unless freely, often touching a ball or one or two of the walls."""
     kind = 0.5 if freely else dice.random()
     if kind < 0.3 and world.balls:
         other = dice.choice(world.balls)
-        return complex(*other.position) + rect(other.radius + radius, dice.uniform(-pi, pi))
+        return complex(*other.position) + rect(apart(world, other, ball), dice.uniform(-pi, pi))
     p = complex(dice.uniform(-1.24, 1.24), dice.uniform(-1.24, 1.24))
     for _ in range(0 if kind < 0.7 else 1 if kind < 0.9 else 2):
         wall = dice.choice(world.walls)
-        p -= (wall.distance((p.real, p.imag)) - radius) * wall.normal
+        p -= (wall.distance((p.real, p.imag)) - ball.radius) * wall.normal
     return p
 
 
@@ -122,8 +127,9 @@ def scatter(
             (RADIUS, 0.25) if alike else (dice.uniform(0.01, 0.05), dice.uniform(0.01, 1.0))
         )
         for _ in range(30):
-            p = spot(dice, world, radius, freely)
-            ball = Ball(f"{k}", at=(p.real, p.imag), radius=radius, mass=mass)
+            ball = Ball(f"{k}", at=(0.0, 0.0), radius=radius, mass=mass)
+            p = spot(dice, world, ball, freely)
+            ball.position = (p.real, p.imag)
             if gap(ball, world) > -1e-15:
                 world.add(ball)
                 break

@@ -54,9 +54,9 @@ class Lineup:
     def world(self) -> World:
         """The table with these balls at rest."""
         world, places = _table(self.table), dict(self.balls)
-        for name, kind in _kinds(self.table, [*places]).items():
-            if self.table in setup.TABLES:
-                world.add(Ball(name, places[name], radius=kind.radius, mass=kind.mass))
+        if self.table in setup.TABLES:
+            for ball in _balls(self.table, [*places]).values():
+                world.add(ball)
         world.stop()
         for ball in world.balls:
             ball.spin = (0.0, 0.0, 0.0)
@@ -103,29 +103,21 @@ def _check(found: Lineup) -> None:
     names = [name for name, _ in found.balls]
     if len({*names}) < len(names):
         raise LineError("twice", next(n for n in names if names.count(n) > 1))
-    kinds = _kinds(found.table, names)
+    balls = _balls(found.table, names)
     for name in names:
-        if name not in kinds:
+        if name not in balls:
             raise LineError("name", name)
     lost = [ball.name for ball in _table(found.table).balls if ball.name not in names]
     if lost or not names:
         raise LineError("missing", ", ".join(lost))
     walls = _table(found.table).walls
     for i, (name, at) in enumerate(found.balls):
-        if any(wall.distance(at) < kinds[name].radius - TOUCHING for wall in walls):
+        if any(wall.distance(at) < balls[name].radius - TOUCHING for wall in walls):
             raise LineError("outside", name)
         for other, spot in found.balls[:i]:
             apart = abs(complex(*at) - complex(*spot))
-            if apart < kinds[name].radius + kinds[other].radius - TOUCHING:
+            if apart < balls[name].touching_distance(balls[other]) - TOUCHING:
                 raise LineError("overlap", f"{other}, {name}")
-
-
-@dataclass(frozen=True, slots=True)
-class Kind:
-    """Size of a ball, metres and kg."""
-
-    radius: float
-    mass: float
 
 
 def _table(table: str) -> World:
@@ -133,14 +125,17 @@ def _table(table: str) -> World:
     return setup.TABLES[table].world() if table in setup.TABLES else setup.scene_world(table)
 
 
-def _kinds(table: str, names: list[str]) -> dict[str, Kind]:
-    """What the balls called `names` are on a table, in the order of the scene or of the names."""
+def _balls(table: str, names: list[str]) -> dict[str, Ball]:
+    """Those balls of a table that are called `names`, new and wherever they lie."""
     if table in setup.TABLES:
         kind = setup.TABLES[table]
         known = (*setup.BALLS, "red")
-        return {name: Kind(kind.radius, kind.mass) for name in names if name in known}
-    balls = setup.scene_world(table).balls
-    return {ball.name: Kind(ball.radius, ball.mass) for ball in balls if ball.name in names}
+        return {
+            name: Ball(name, (0.0, 0.0), radius=kind.radius, mass=kind.mass)
+            for name in names
+            if name in known
+        }
+    return {ball.name: ball for ball in setup.scene_world(table).balls if ball.name in names}
 
 
 def of(game: Game, *, shot: bool = False) -> Lineup:

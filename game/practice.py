@@ -24,7 +24,7 @@ def slid(world: World, name: str, to: Place) -> Place:
     """
     own = world.ball(name)
     circles = [
-        (complex(*ball.position), own.radius + ball.radius + GAP)
+        (complex(*ball.position), own.touching_distance(ball) + GAP)
         for ball in world.balls
         if ball.name != name
     ]

@@ -135,8 +135,7 @@ def preview(world: World, cue: str, shot: Shot, judge: Judge | None = None) -> P
     first = next((e for e in met if cue in e.balls), None)
     hit, contact = end, None
     if first is not None:
-        radii = {ball.name: ball.radius for ball in world.balls}
-        hit, contact = since + first.time, _contact(first, legs, cue, since, radii)
+        hit, contact = since + first.time, _contact(first, legs, cue, since, world)
     others = {name: _way(own, since, end) for name, own in legs.items() if name != cue}
     return Preview(
         told,
@@ -269,9 +268,7 @@ def _points(leg: Leg, a: float, b: float) -> list[Place]:
     return [(p.real, p.imag) for p in spots]
 
 
-def _contact(
-    met: Mark, legs: Legs, cue: str, since: float, radii: dict[str, float]
-) -> Contact:
+def _contact(met: Mark, legs: Legs, cue: str, since: float, world: World) -> Contact:
     ball = next(name for name in met.balls if name != cue)
     own, left = _turn(legs[cue], since + met.time)
     other, sent = _turn(legs[ball], since + met.time)
@@ -279,7 +276,7 @@ def _contact(
     way = complex(*own.velocity) - complex(*other.velocity)
     turn = phase(line / way) if way else 0.0
     aside = abs(line) * abs((line / abs(line) / (way / abs(way))).imag) if way else 0.0
-    overlap = 1.0 - aside / (radii[ball] + radii[cue])
+    overlap = 1.0 - aside / world.ball(cue).touching_distance(world.ball(ball))
     leaves = left.velocity, sent.velocity
     signed = -overlap if turn < 0 else overlap
     return Contact(ball, own.position, other.position, leaves, signed, abs(degrees(turn)))

@@ -124,15 +124,15 @@ def places(world: World, rng: random.Random) -> list[Place]:
     found no room.
     """
     length, width = size(world)
-    found: list[tuple[Place, float]] = []
+    found: list[tuple[Place, Ball]] = []
     quadrants = rng.sample(range(4), 4)
     for i, ball in enumerate(world.balls):
         tries = (quadrants[(i + k) % 4] for k in range(4) for _ in range(TRIES))
         spots = (_somewhere(rng, q, length / 2, width / 2, ball.radius) for q in tries)
-        at = next((at for at in spots if _fits(at, ball.radius, found, world)), None)
+        at = next((at for at in spots if _fits(at, ball, found, world)), None)
         if at is None:
             raise ValueError(f"no room for ball {ball.name!r}")
-        found.append((at, ball.radius))
+        found.append((at, ball))
     return [at for at, _ in found]
 
 
@@ -147,8 +147,9 @@ def _somewhere(rng: random.Random, quadrant: int, x: float, y: float, radius: fl
     return (at[0] if quadrant & 1 else -at[0]), (at[1] if quadrant & 2 else -at[1])
 
 
-def _fits(at: Place, radius: float, others: list[tuple[Place, float]], world: World) -> bool:
+def _fits(at: Place, ball: Ball, others: list[tuple[Place, Ball]], world: World) -> bool:
     apart = all(
-        (at[0] - p[0]) ** 2 + (at[1] - p[1]) ** 2 >= (radius + r) ** 2 for p, r in others
+        (at[0] - p[0]) ** 2 + (at[1] - p[1]) ** 2 >= ball.touching_distance(other) ** 2
+        for p, other in others
     )
-    return apart and all(wall.distance(at) >= radius for wall in world.walls)
+    return apart and all(wall.distance(at) >= ball.radius for wall in world.walls)

@@ -68,7 +68,7 @@ def _straight(world: World, cue: str, contact: Contact, eighths: int) -> float:
     """The angle if the cue ball runs straight to the ball, degrees."""
     own, other = world.ball(cue), world.ball(contact.ball)
     line = complex(*other.position) - complex(*own.position)
-    past = eighths / EIGHTHS * (own.radius + other.radius)
+    past = eighths / EIGHTHS * own.touching_distance(other)
     ahead = line.real * line.real + line.imag * line.imag - past * past
     # fixed steps may leave one ball in the other
     return heading(line * complex(sqrt(max(ahead, 1e-18)), -past))

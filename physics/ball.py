@@ -1,6 +1,7 @@
 """A ball: a name and the kernel's record of it, shown through properties."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from operator import attrgetter
 from typing import NamedTuple
 
@@ -14,12 +15,14 @@ from .kernel.motion import (
     RESTING,
     ROLLING,
     SLIDING,
+    STILL,
     altitude,
     carry,
     faded,
     motion,
     place,
 )
+from .kernel.tilt import touching_distance
 
 DISTURBED = -1  # the phase of a ball that somebody has touched and no engine has looked at yet
 NOWHERE = Felt(0.0, 0.0, 0.0)  # the cloth under a ball that is in no world yet
@@ -72,6 +75,12 @@ class Clock:
             forget(body)
         self.epoch, self.now = self.epoch + self.now, 0.0
 
+    def settle(self, radius: float, first: bool) -> None:
+        """One more ball is on the cloth: the smallest says what counts as still."""
+        still = STILL * radius
+        if first or still < self.cloth.still:
+            self.cloth = replace(self.cloth, still=still)
+
     def assign(self, other: "Clock") -> None:
         """Show what the other one shows."""
         for name in Clock.__slots__:
@@ -103,9 +112,8 @@ class Ball:
         self.put = True
         """Has it been put somewhere since its world last checked that all fits?"""
         self._clock = Clock(NOWHERE)
-        self._body = Body(
-            positive(f"ball {name!r}: radius", radius), sizable(f"ball {name!r}: mass", mass)
-        )
+        radius = positive(f"ball {name!r}: radius", radius)
+        self._body = Body(radius, sizable(f"ball {name!r}: mass", mass), lift=radius)
         self.position = at
         self.velocity = velocity
         self.spin = spin
@@ -127,6 +135,13 @@ class Ball:
     def mass(self) -> float:
         """Kilograms."""
         return self._body.mass
+
+    def touching_distance(self, other: "Ball") -> float:
+        """m between the centres, over the table, of two balls of a world that touch on its cloth.
+
+        2 √(r R) for radii r and R; for discs r + R, which is the same if they are equal.
+        """
+        return float(touching_distance(self._body, other._body))
 
     @property
     def position(self) -> tuple[float, float]:

@@ -207,12 +207,7 @@ class Job(NamedTuple):
         shots, balls, _ = starts.shape
         rests = [[[0.0, 0.0] for _ in range(balls)] for _ in range(shots)]
         times, counts = [0.0] * shots, [0] * shots
-        scene = self.scene._replace(
-            balls=[body.twin(ball) for ball in self.scene.balls],
-            meetings=self.scene.meetings[:],
-            ties=body.no_ties(balls),
-            grid=body.twin_grid(self.scene.grid),
-        )
+        scene = body.twin_scene(self.scene, [body.twin(ball) for ball in self.scene.balls])
         calendar.many(starts.tolist(), rests, times, counts, self.budget, scene)
         return np.array(rests).reshape(shots, balls, 2), np.array(times), np.array(counts, np.int64)
 

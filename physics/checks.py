@@ -47,6 +47,12 @@ def nonnegative(name: str, value: float) -> float:
     return number
 
 
+def truth(name: str, value: bool) -> bool:
+    if not isinstance(value, bool):
+        raise ValueError(f"{name} is True or False, not {value!r}")
+    return value
+
+
 def keep(owner: object, check: Callable[[str, float], float], *names: str) -> None:
     """Check these fields of a frozen dataclass, each under its full name, and make them floats."""
     for name in names:

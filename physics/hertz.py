@@ -17,8 +17,9 @@ from .kernel.grid import NOBODY, pass_by
 from .kernel.impulses import RUB, ask, slip_between, solve
 from .kernel.lasting import leans
 from .kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
-from .kernel.motion import SLIDING, carry, length, place
+from .kernel.motion import SLIDING, carry, place
 from .kernel.subset import room
+from .kernel.tilt import between, tilt
 
 if TYPE_CHECKING:
     from .laws import HertzCluster
@@ -83,7 +84,7 @@ def gather(i: int, j: int, time: float, balls: Any, gap: float) -> tuple[list[in
         for k, other in enumerate(balls):
             if k == a or {a, k} == {i, j} or other.phase > SLIDING:
                 continue
-            far = length(place(other, time - other.since) - spot)
+            far = between(balls[a], other, place(other, time - other.since) - spot)
             if far < balls[a].radius + other.radius + gap:
                 if k not in members:
                     members.append(k)
@@ -128,7 +129,7 @@ def _rub(contacts: int, scene: Scene) -> bool:
         a, b = balls[tie.first], balls[tie.second]
         slip = slip_between(a, b, toward(a, b))
         ask(RUB, tie, balls)
-        tie.bound = grip(slip, scene.ball_rule) * tie.total / tie.size
+        tie.bound = grip(slip, scene.ball_rule) / tilt(a, b)[0] * tie.total / tie.size
         if tie.total > 0.0:
             ties.chosen[chosen] = c
             chosen += 1
@@ -136,7 +137,8 @@ def _rub(contacts: int, scene: Scene) -> bool:
 
 
 def outcome(balls: Sequence[Body], contacts: Contacts, e: float) -> list[float]:
-    """The impulse, N s, that every contact (ball, ball) has passed when all have parted.
+    """The impulse along the table, N s, that every contact (ball, ball) has passed when all have
+    parted.
 
     All contacts begin to touch at once; one that closes with the greatest speed, alone, parts with
     e times that speed.
@@ -144,6 +146,7 @@ def outcome(balls: Sequence[Body], contacts: Contacts, e: float) -> list[float]:
     import numpy as np
 
     lines = [toward(balls[a], balls[b]) for a, b in contacts]
+    levels = np.array([tilt(balls[a], balls[b])[0] for a, b in contacts])
     arms = np.zeros((len(contacts), len(balls)), complex)
     springs = np.empty(len(contacts))
     for c, (a, b) in enumerate(contacts):
@@ -151,11 +154,12 @@ def outcome(balls: Sequence[Body], contacts: Contacts, e: float) -> list[float]:
         springs[c] = sqrt(
             balls[a].radius * balls[b].radius / (balls[a].radius + balls[b].radius)
         )
+    arms *= levels[:, None]
     closing = _dots(arms.conj(), np.array([ball.velocity for ball in balls]))
     speed, mass = closing.max(), balls[0].mass
     yielding = _dots(arms[:, None], arms / [ball.mass / mass for ball in balls])
     pushes = _follow(closing / speed, yielding, springs / springs[0], damping(e), np)
-    return [float(push) for push in mass * speed * pushes]
+    return [float(push) for push in mass * speed * pushes * levels]
 
 
 def _dots(a: Any, b: Any) -> Any:

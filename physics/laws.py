@@ -5,7 +5,8 @@ x = 0 and the table at x > 0, and returns the three after the hit. A ball law ta
 relative velocity, the two balls' summed roll and side, and their reduced mass, with the second ball
 towards +x, and returns (push, rub): the impulse along the line of centres, and the one across it as
 (along the table) + i (upward) on the first ball; the engine applies them equal and opposite. All
-are complex numbers in m/s; roll is -i R ω, side is R ω_z; impulses in N s.
+are complex numbers in m/s; roll is -i R ω, side is R ω_z; impulses in N s. Between balls of two
+sizes v and push are level, and roll and side turned as docs/physics.md says.
 """
 
 from collections.abc import Callable
@@ -67,7 +68,7 @@ class _BallLaw:
         self, v: complex, roll: complex, side: float, mass: float
     ) -> tuple[float, complex]:
         """(push, rub) on the first ball, N s; see the module."""
-        result: tuple[float, complex] = kernel.ball_law(v, roll, side, mass, self.rule())
+        result: tuple[float, complex] = kernel.ball_law(v, roll, side, mass, 1.0, self.rule())
         return result
 
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from .kernel.calendar import CUSHION, PAIR
 from .kernel.motion import RESTING, SLIDING, length
+from .kernel.tilt import between
 from .overlap import catch_up, kept, mark, note
 
 if TYPE_CHECKING:
@@ -73,7 +74,8 @@ def substep(world: "World", time: float, dt: float, k: int) -> None:
         ball.since = time
     for i, ball in enumerate(balls):
         for j in range(i + 1, len(balls)):
-            if length(ball.position - balls[j].position) <= ball.radius + balls[j].radius:
+            offset = ball.position - balls[j].position
+            if between(ball, balls[j], offset) <= ball.radius + balls[j].radius:
                 meet(world, time, dt, i, j)
         for n, wall in enumerate(world.scene.walls):
             if abs((wall.inward * ball.position).real - wall.offset) < ball.radius:

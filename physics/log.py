@@ -43,6 +43,7 @@ class Leg(NamedTuple):
     height: float = 0.0
     climb: float = 0.0
     fall: float = 0.0  # what takes the climb, m/s²
+    lift: float = 0.0  # of the centre above the lowest point: the radius, or 0 for a disc, m
 
     @property
     def time(self) -> float:
@@ -81,13 +82,14 @@ class Event(NamedTuple):
     time s; kind "roll", "rest", "cushion" or "ball", and for balls that fly "land" (on the cloth)
     and "off" (over a cushion, for good); balls: names; wall: name, or None; point: (x, y) of the
     contact (of the centre, where nothing touched), m; before and after: a State for each ball;
-    closing: speed along the contact's normal before, m/s (at a cushion, its level part);
-    energy_lost: J, in a cluster of contacts their common loss shared by impulse. Events of one
-    instant have the same time.
+    closing: speed along the contact's normal before, m/s (along the table at a cushion, and between
+    balls on the cloth); energy_lost: J, in a cluster of contacts their common loss shared by
+    impulse. Events of one instant have the same time.
 
     impulse: m |Δv| of the first ball, N s: push and rub together, less what is vertical, which the
     cloth takes up while a ball stays on it. In a cluster it is the push.
-    push: the part of the impulse along the contact's normal (at a cushion, the level one), N s.
+    push: the part of the impulse along the contact's normal (at a cushion and between balls on the
+    cloth, the level one), N s.
     away: at a cushion, the greatest gap between it and the ball since they last touched, or since
     the log began, m; inf for other events. (docs/physics.md, "What an event tells".)
     """
@@ -146,7 +148,8 @@ class Log(Sequence[Event]):
         """Ball i is on a new leg."""
         self._legs[i].append(
             (epoch, body.since, body.position, body.velocity, body.acceleration, body.roll,
-             body.side, body.phase, body.radius, fade, body.height, body.climb, body.fall)
+             body.side, body.phase, body.radius, fade, body.height, body.climb, body.fall,
+             body.lift)
         )  # fmt: skip
 
     def knows(self, i: int) -> bool:
@@ -326,6 +329,9 @@ class Log(Sequence[Event]):
         impulse = 0.0 if what in ("roll", "rest", "off") else self._masses[i] * _kick(*first)
         if kind == PAIR:
             closing -= _along(second[0], normal, rise)
+            if rise and AIRBORNE not in (first[0].phase, second[0].phase):
+                level = length(normal)
+                closing, push = closing / level, push / level
         if shared is not None:
             push, share, members, _ = shared
             impulse = push
@@ -349,7 +355,7 @@ def _kind(kind: int, turn: tuple[Leg, Leg]) -> str:
 
 def _toward(a: Leg, b: Leg) -> tuple[complex, float]:
     """The direction between two centres: over the table, upward."""
-    line, rise = b.position - a.position, b.height - a.height
+    line, rise = b.position - a.position, b.height - a.height + (b.lift - a.lift)
     far = sqrt(line.real * line.real + line.imag * line.imag + rise * rise)
     return line / far, rise / far
 

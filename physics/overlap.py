@@ -7,6 +7,7 @@ from .kernel.body import Scene
 from .kernel.calendar import CUSHION, PAIR, PHASE
 from .kernel.laws import hit_ball, hit_wall
 from .kernel.motion import RESTING, carry, motion, place, settle
+from .kernel.tilt import between
 
 if TYPE_CHECKING:
     from .world import World
@@ -68,6 +69,7 @@ def touching(
             if (
                 line.real * line.real + line.imag * line.imag <= reach * reach
                 and (line.conjugate() * (speed(i) - speed(j))).real > 0.0
+                and (ball.lift == balls[j].lift or between(ball, balls[j], line) <= reach)
             ):
                 yield PAIR, i, j
         if ball.phase == RESTING:

@@ -37,15 +37,14 @@ def check_places(
 def overlapping(balls: Iterable[Ball], slack: float) -> Iterator[tuple[Ball, Ball]]:
     """The pairs that overlap by more than slack, m."""
     here = sorted(balls, key=lambda ball: ball.position[0] - ball.radius)
-    for i, ball in enumerate(here):
-        (x, y), r = ball.position, ball.radius
+    spots = [(*ball.position, ball.height + ball.body.lift, ball.radius) for ball in here]
+    for i, (x, y, z, r) in enumerate(spots):
         for k in range(i + 1, len(here)):
-            other = here[k]
-            (u, v), s = other.position, other.radius
+            u, v, w, s = spots[k]
             if u - s > x + r:
                 break
-            if hypot(u - x, v - y, other.height - ball.height) < r + s - slack:
-                yield ball, other
+            if hypot(u - x, v - y, w - z) < r + s - slack:
+                yield here[i], here[k]
 
 
 def _depth(ball: Ball, wall: Wall, rule: Rule) -> float:

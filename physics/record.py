@@ -12,7 +12,7 @@ from .wall import Wall
 if TYPE_CHECKING:
     from .world import World
 
-VERSION = 2  # 1 knew no balls in the air
+VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
 DISTURBED = "disturbed"
 PHASES = NAMES  # in files as elsewhere
 COMPLEX = ("position", "velocity", "acceleration", "roll")
@@ -39,6 +39,7 @@ def world_data(world: "World") -> Data:
         "cushion_law": _named(world.cushion_law),
         "cluster_law": None if world.cluster_law is None else asdict(world.cluster_law),
         "engine": _named(world.engine),
+        "discs": world.discs,
         "epoch": clock.epoch,
         "now": clock.now,
         "planned": world.planned,

@@ -157,7 +157,7 @@ class _Replay:
         leg = self.log.legs(ball.name)[0]
         motion = (leg.velocity, leg.roll, leg.side)
         slopes = _push(shot) if struck else (_zeros(),) * 3
-        body = self.kernel.body.Body(ball.radius, ball.mass)
+        body = self.kernel.body.Body(ball.radius, ball.mass, ball.body.lift)
         body.since, body.position = leg.since, Dual(leg.position, _zeros())
         body.velocity, body.roll, body.side = map(Dual, motion, slopes)
         self._plan(body)

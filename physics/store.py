@@ -81,10 +81,12 @@ def restore(data: Any) -> World | Shot:
     spot = Spot(data, "")
     kind = spot["danggu"].text()
     version = spot["version"].value
+    if version not in (1, 2, VERSION):
+        raise ValueError(f"version is {version!r}; this program reads versions 1 to {VERSION}")
     if version == 1:
-        spot = Spot(_renewed(data), "")
-    elif version != VERSION:
-        raise ValueError(f"version is {version!r}; this program reads version {VERSION}, and 1")
+        spot = Spot(_in_the_air(data), "")
+    if version != VERSION and kind == "world":
+        spot = Spot({**spot.value, "discs": _unequal(spot)}, "")
     if kind == "shot":
         return Shot(**{field.name: spot[field.name].number() for field in fields(Shot)})
     if kind != "world":
@@ -92,8 +94,13 @@ def restore(data: Any) -> World | Shot:
     return _world(spot)
 
 
-def _renewed(data: Data) -> Data:
-    """A file of version 1 as this version has it: then no ball left the cloth."""
+def _unequal(spot: "Spot") -> bool:
+    """Do the balls of a file of version 1 or 2 differ in radius?  Then they were meant as discs."""
+    return len({ball["radius"].number() for ball in spot["balls"].items()}) > 1
+
+
+def _in_the_air(data: Data) -> Data:
+    """A file of version 1 with what version 2 added: before it, no ball left the cloth."""
     new = {"climb": 0.0, **data}
     if isinstance(data.get("cloth"), dict):
         new["cloth"] = {"bounce": Cloth().bounce, **data["cloth"]}
@@ -137,6 +144,11 @@ class Spot:
     def complex(self) -> complex:
         return complex(*vector(self.where, [spot.number() for spot in self.items()], 2))
 
+    def truth(self) -> bool:
+        if not isinstance(self.value, bool):
+            raise ValueError(f"{self.where} must be true or false, not {self.value!r:.60}")
+        return self.value
+
     def text(self) -> str:
         if not isinstance(self.value, str):
             raise ValueError(f"{self.where} must be text, not {self.value!r:.60}")
@@ -149,6 +161,7 @@ def _world(spot: Spot) -> World:
         _one_of((laws,), spot["ball_law"]),
         _one_of((laws,), spot["cushion_law"]),
         _one_of((engine, stepping), spot["engine"]),
+        spot["discs"].truth(),
     )
     if spot["cluster_law"].value is not None:
         world.cluster_law = _made(laws.HertzCluster, spot["cluster_law"])
@@ -212,13 +225,13 @@ def _keep_grid(world: World, due: float, bodies: list[Body], going: list[int]) -
     """Fixed steps count from when they began: that must not begin anew."""
     for k in going:
         mine, body = world.scene.balls[k], bodies[k]
-        for name in Body.__slots__:
+        for name in ("since", *COMPLEX, *REAL, "phase", *PAGE):
             setattr(mine, name, getattr(body, name))
     world.due = due
 
 
 def _body(spot: Spot) -> Body:
-    body = Body(spot["radius"].number(), spot["mass"].number(), spot["since"].number())
+    body = Body(spot["radius"].number(), spot["mass"].number(), since=spot["since"].number())
     for name in COMPLEX:
         setattr(body, name, spot[name].complex())
     for name in REAL:

@@ -13,6 +13,7 @@ from .engine import EventBudgetError
 from .kernel.body import Body, twin_grid
 from .kernel.flight import aloft
 from .kernel.motion import length
+from .kernel.tilt import levelled
 from .laws import ForeignRule
 
 if TYPE_CHECKING:
@@ -137,13 +138,16 @@ class BallWatch(Watch):
 
 def _unlike(a: Body, b: Body, closing: float, side: float) -> float:
     """How far these two are from closing like that, m/s, and with such spin where it is told."""
-    line, rise = b.position - a.position, b.height - a.height
+    flies = aloft(a) or aloft(b)
+    line = b.position - a.position
+    rise = b.height - a.height + (b.lift - a.lift) if flies else 0.0
     far = hypot(line.real, line.imag, rise)
     if far > 1.1 * (a.radius + b.radius):
         return inf
     v = a.velocity - b.velocity
     level, upright = (line.conjugate() * v).real, rise * (a.climb - b.climb)
-    other_spin = 0.0 if aloft(a) or aloft(b) else abs(a.side + b.side - side)
+    turned = line.conjugate() / far * (a.roll + b.roll)
+    other_spin = 0.0 if flies else abs(levelled(a, b, turned, a.side + b.side)[1] - side)
     return float(abs((level + upright) / far - closing) + other_spin)
 
 

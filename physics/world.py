@@ -8,11 +8,11 @@ from typing import TypeVar
 
 from . import laws
 from .ball import DISTURBED, Ball, Clock, Placed
-from .checks import finite, nonnegative
+from .checks import finite, nonnegative, truth
 from .cloth import Cloth, a_cloth
 from .engine import Engine, EventDriven, an_engine
-from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_grid
-from .kernel.motion import OFF, RESTING, STILL
+from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_scene
+from .kernel.motion import OFF, RESTING
 from .log import Log
 from .parting import part
 from .places import check_places
@@ -30,12 +30,14 @@ class World:
 
     ball_law and cushion_law: a law of `physics.laws`, its name, or any callable (see there). All
     can be read and assigned at any moment. What cannot be raises ValueError and changes nothing.
+    discs: are its balls flat?  Two of radii r and R then touch r + R apart, and level; round ones
+    do so 2 √(r R) apart (docs/physics.md). Both are the same for balls of one size.
     """
 
     __slots__ = (  # so that a misspelt name is an error, and not an attribute that nobody reads
         "__weakref__", "_asking", "_ball_law", "_balls", "_checked", "_clock", "_cloth",
-        "_cluster_law", "_cushion_law", "_engine", "_index", "_told", "_walls", "_watched",
-        "allowed", "due", "log", "planned", "scene",
+        "_cluster_law", "_cushion_law", "_discs", "_engine", "_index", "_told", "_walls",
+        "_watched", "allowed", "due", "log", "planned", "scene",
     )  # fmt: skip
 
     def __init__(
@@ -44,7 +46,9 @@ class World:
         ball_law: str | laws.BallLaw = "rough",
         cushion_law: str | laws.CushionLaw = "rigid",
         engine: Engine | None = None,
+        discs: bool = False,
     ) -> None:
+        self._discs = truth("a world's discs", discs)
         self._cloth = Cloth() if cloth is None else a_cloth(cloth)
         self._engine: Engine = EventDriven() if engine is None else an_engine(engine)
         self._ball_law = laws.ball_law(ball_law)
@@ -64,9 +68,7 @@ class World:
             [], [], [], self._clock.cloth, *self._rules(), no_ties(0), False, no_grid(0)
         )
         # for the engine: when the next event is due, from the epoch on; when it planned; its budget
-        self.due = inf
-        self.planned = 0.0
-        self.allowed = 0
+        self.due, self.planned, self.allowed = inf, 0.0, 0
 
     def __repr__(self) -> str:
         return f"<World of {len(self._balls)} balls at t = {self.time!r} s>"
@@ -92,14 +94,14 @@ class World:
             raise ValueError(f"there is a ball {ball.name!r} already")
         n = len(self._balls) + 1
         body = ball.join(self._clock)
+        if self._discs:
+            body.lift = 0.0
         self._index[ball.name] = n - 1
         self._balls.append(ball)
         self.scene.balls.append(body)
         self.log.register(ball.name, ball.mass)
         table = [inf] * (n * n) if n <= FEW else []
-        still = STILL * ball.radius
-        if n == 1 or still < self._clock.cloth.still:
-            self._clock.cloth = replace(self._clock.cloth, still=still)
+        self._clock.settle(ball.radius, first=n == 1)
         self.scene = self.scene._replace(
             cloth=self._clock.cloth, meetings=table, ties=no_ties(n), celled=False, grid=no_grid(n)
         )
@@ -122,6 +124,11 @@ class World:
         return self._balls[self._index[name]]
 
     # -- how it works --------------------------------------------------------------------------
+
+    @property
+    def discs(self) -> bool:
+        """Are its balls flat?"""
+        return self._discs
 
     @property
     def cloth(self) -> Cloth:
@@ -295,10 +302,10 @@ class World:
         """Let dt seconds pass; n steps of dt / n lead to the same rest, bit for bit, for any n."""
         nonnegative("World.step dt", dt)
         self._refuse_laws("step")
-        if not self._watched:  # a game steps often
-            self._step(dt)
-            return
-        with self._guard():
+        if self._watched:
+            with self._guard():
+                self._step(dt)
+        else:  # a game steps often
             self._step(dt)
 
     def _guard(self) -> AbstractContextManager[None]:
@@ -335,7 +342,7 @@ class World:
             self._clock.now = reached if until == inf else max(reached, until - self._clock.epoch)
 
     def reached(self, now: float) -> None:
-        """For the engine, which must stop early: how far it came, seconds since the epoch."""
+        """For an engine that must stop early: how far it came, seconds since the epoch."""
         self._clock.now = now
 
     def copy(self) -> "World":
@@ -352,13 +359,7 @@ class World:
         world._clock, world._balls, world.log = clock, balls, log
         world._index, world._walls, world._asking = self._index.copy(), self._walls[:], []
         log.watch(world._walls)
-        world.scene = self.scene._replace(
-            balls=[ball.body for ball in balls],
-            meetings=self.scene.meetings[:],
-            walls=self.scene.walls[:],
-            ties=no_ties(len(balls)),
-            grid=twin_grid(self.scene.grid) if self.scene.celled else no_grid(len(balls)),
-        )
+        world.scene = twin_scene(self.scene, [ball.body for ball in balls])
         if world._watched:
             world._renew_rules()  # so that it watches its own balls
         return world
@@ -393,6 +394,6 @@ class World:
         """Cells for many balls, in place of the table of all their meetings."""
         if len(self._balls) > FEW:
             self._disturb()
-            spots = [body.position for body in self.scene.balls]
-            cells = grid(spots, max(ball.radius for ball in self._balls))
+            widest = max(ball.radius for ball in self._balls)
+            cells = grid([body.position for body in self.scene.balls], widest)
             self.scene = self.scene._replace(celled=True, grid=cells, meetings=[])

@@ -12,10 +12,11 @@ from players import FRAME, an_app, assert_same_as_anew, click, enter, press, wri
 from game.actions import Action
 from game.aiming import share, speed_at
 from game.fixture import Fixture
+from game.preview import preview
 from game.render import cuecard, gauges
 from game.tip import LIMIT, Tip, tip_of
 from game.ui.grasp import TRAVEL, pull
-from physics import CueStroke, Shot
+from physics import Ball, CueStroke, Shot, tables
 
 
 @pytest.fixture
@@ -275,6 +276,16 @@ def test_t_goes_through_the_eighths_one_by_one_and_stops_at_the_last(app):
     assert seen[:15] == [1, 2, 3, 4, 5, 6, 7, seen[7], -7, -6, -5, -4, -3, -2, -1]
     assert abs(seen[7]) == 8
     assert set(seen[15:]) == {-1}
+
+
+def test_half_a_ball_of_another_size_is_half_of_the_distance_at_which_they_touch():
+    world = tables.medium_carom()
+    white = world.add(Ball("white", (-0.5, 0.0), radius=0.04))
+    small = world.add(Ball("small", (0.0, 0.0), radius=0.02))
+    for aside in (0.0, 0.5, 0.99):
+        small.position = (0.0, aside * white.touching_distance(small))
+        contact = preview(world, "white", Shot(3.0)).contact
+        assert abs(contact.overlap) == pytest.approx(1.0 - aside, abs=1e-9)
 
 
 def test_without_a_ball_in_the_way_there_is_no_thickness_to_choose(app):

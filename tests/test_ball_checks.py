@@ -25,7 +25,9 @@ def collide(law, v, w=(0.0, 0.0, 0.0), cut=0.0, other=((0.0, 0.0), (0.0, 0.0, 0.
     line = cos(radians(cut)), sin(radians(cut))
     spins = [tuple(x / size for x in spin) for spin, size in ((w, r), (other[1], s))]
     one = world.add(Ball("1", (0.0, 0.0), v, spins[0], r, m))
-    two = world.add(Ball("2", ((r + s) * line[0], (r + s) * line[1]), other[0], spins[1], s, n))
+    two = world.add(Ball("2", (1.0, 1.0), other[0], spins[1], s, n))
+    apart = one.touching_distance(two)
+    two.position = (apart * line[0], apart * line[1])
     world.run(until=1e-13)
     assert [event.kind for event in world.log][:1] == ["ball"]
     return one, two

@@ -65,22 +65,25 @@ def test_a_cushion_meets_a_ball_just_off_the_cloth_as_on_it():
         assert high.climb == pytest.approx(rule.level * rub - rule.height * push, abs=1e-14)
 
 
+@pytest.mark.parametrize("radius", [RADIUS, 0.02, 0.05])
 @pytest.mark.parametrize("law", RULES, ids=repr)
-def test_a_hit_in_the_air_keeps_momentum_and_angular_momentum_and_makes_no_energy(law):
+def test_a_hit_in_the_air_keeps_momentum_and_angular_momentum_and_makes_no_energy(law, radius):
     dice, rule = random.Random(3), law.rule()
     for _ in range(100):
-        a, b = random_body(dice, 0j), random_body(dice, rect(2 * RADIUS, 1.0) * 0.8)
-        b.mass, b.height = 0.3, 1.2 * RADIUS
+        far = RADIUS + radius
+        a, b = random_body(dice, 0j), random_body(dice, rect(far, 1.0) * 0.8)
+        a.lift, b.lift, b.radius, b.mass = RADIUS, radius, radius, 0.3
+        b.height = 0.6 * far + RADIUS - radius
         a.velocity, a.climb, b.climb = 5 * b.position / RADIUS, 2.0, dice.gauss(0, 1)
-        arm = np.array([b.position.real, b.position.imag, b.height])
+        arm = np.array([b.position.real, b.position.imag, 0.6 * far])
 
         def sums(a=a, b=b, arm=arm):
             momentum = spin = energy = 0.0
-            for body, place in ((a, -0.5 * arm), (b, 0.5 * arm)):
+            for body, place in ((a, 0.0 * arm), (b, arm)):
                 v = np.array([body.velocity.real, body.velocity.imag, body.climb])
                 w = np.array([-body.roll.imag, body.roll.real, body.side])
                 momentum = momentum + body.mass * v
-                spin = spin + body.mass * (np.cross(place, v) + 0.4 * RADIUS * w)
+                spin = spin + body.mass * (np.cross(place, v) + 0.4 * body.radius * w)
                 energy += body.mass * (0.5 * v @ v + 0.2 * w @ w)
             return momentum, spin, energy
 

@@ -61,8 +61,7 @@ def test_a_record_without_an_edition_is_played_with_the_presets_of_the_first(rec
 def _end(game, cloth, cushion):
     """Where the balls rest if the shot that has just begun is played with these."""
     world = setup.table_world("medium")
-    for ball, was in zip(world.balls, game._lay, strict=True):
-        ball.position = was.position
+    world.recall(game.lies)
     world.cloth, world.cushion_law = cloth, cushion
     speed, follow, masse, side, angle = map(float, game.aim.texts)
     after = simulate(world, "white", Shot(speed, angle, follow, masse, side))

@@ -105,7 +105,8 @@ def test_the_thesis_balls_swap_their_turning_and_not_their_surface_speeds():
     """(ω₁·t)' = e ω₂·t in rad/s, t across the line of centres: with unlike radii it shows."""
     world = World(ball_law=laws.ThesisBall(0.9))
     one = world.add(Ball("one", (0.0, 0.0), (1.0, 0.2), (3.0, 50.0, 7.0), radius=0.02, mass=0.1))
-    two = world.add(Ball("two", (0.06, 0.0), (-0.5, 0.1), (-4.0, 20.0, 9.0), radius=0.04))
+    two = world.add(Ball("two", (0.0, 0.0), (-0.5, 0.1), (-4.0, 20.0, 9.0), radius=0.04))
+    two.position = (one.touching_distance(two), 0.0)
     world.run(until=1e-12)
     assert one.velocity == pytest.approx((0.9 * -0.5, 0.2), abs=1e-10)
     assert two.velocity == pytest.approx((0.9 * 1.0, 0.1), abs=1e-10)

@@ -154,6 +154,18 @@ def test_a_carom_shot_has_ten_digits_of_every_derivative(ball_law, shot):
     assert worst < 1e-10  # each hit costs the digit or two that it magnifies rounding by
 
 
+def test_a_shot_among_balls_of_three_sizes_has_ten_digits_of_every_derivative():
+    world = tables.medium_carom()
+    world.ball_law = laws.RoughBall(0.95, 0.1)
+    for name, at, radius in (
+        ("white", (-0.6, 0.0), 0.04), ("small", (0.0, 0.01), 0.02), ("middle", (0.4, 0.1), 0.03)
+    ):  # fmt: skip
+        world.add(Ball(name, at, radius=radius, mass=3e3 * radius**3))
+    worst, hits = disagreement(world, "white", Shot(4.0, 0.9, 1.0, 0.3, 1.5))
+    assert hits >= 2
+    assert worst < 1e-10
+
+
 def test_the_shot_is_gone_through_again_bit_for_bit():
     after = simulate(carom(), "white", Shot(5.0, 33.0, 0.5, 1.0, 1.5))
     again = _Replay(after, "white", Shot(5.0, 33.0, 0.5, 1.0, 1.5))

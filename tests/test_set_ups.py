@@ -14,7 +14,7 @@ from game.library import Library
 from game.lineup import LineError, Lineup, of, read, shelf
 from game.play import Game
 from game.practice import GAP, slid
-from physics import tables
+from physics import Ball, tables
 
 LINE = "danggu1 medium white=-0.5,0.0 red1=0.5,0.25 shot=3,0.5,0,-1,12.5"
 SPOT = st.tuples(st.floats(-1.5, 1.5), st.floats(-0.9, 0.9))
@@ -39,6 +39,15 @@ def test_balls_dragged_anywhere_never_overlap_and_never_leave_the_table(moves):
         game.perform(Action("hold", name))
         game.perform(Action("move", f"{x!r} {y!r}"))
         assert_all_lie_free(game.world)
+
+
+def test_a_ball_is_laid_down_beside_a_smaller_one_where_they_touch():
+    world = tables.medium_carom()
+    big = world.add(Ball("big", (-0.5, 0.0), radius=0.04))
+    small = world.add(Ball("small", (0.0, 0.0), radius=0.02))
+    big.position = slid(world, "big", (-0.01, 0.0))
+    assert dist(big.position, small.position) == pytest.approx(0.0565685 + GAP, abs=1e-7)
+    world.run()  # it lies there
 
 
 @settings(max_examples=60, deadline=None)

@@ -363,9 +363,9 @@ def test_a_match_begun_while_balls_roll_leaves_nothing_of_before_to_undo():
     game.perform(Action("fire"))
     game.advance(TICKS // 10)
     game.perform(Action("match", '{"game":"four-ball"}'))
-    before = game.layout()
+    before = game.world.layout()
     game.perform(Action("undo"))
-    assert game.layout() == before
+    assert game.world.layout() == before
     assert game.notice.key == "undo"
 
 

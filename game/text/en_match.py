@@ -106,7 +106,7 @@ WORDS = {
     "hint.over": "@[sheet menu] new game · @[retry] retry · @[help]",
     "hint.arrange": "Drag balls · Tab, arrows · @[arrange] done",
     "state.arranging": "placing balls",
-    "notice.refused.off": "the cue ball is off the table · R",
+    "notice.refused.off": "the cue ball is off the table · @[retry]",
     "notice.refused.room": "no room for the balls",
     "notice.refused.flight": "only exact events know flying balls",
     "notice.refused.moving": "wait until the balls rest",

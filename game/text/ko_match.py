@@ -106,7 +106,7 @@ WORDS = {
     "hint.over": "@[sheet menu] 새 게임 · @[retry] 다시 · @[help] 도움말",
     "hint.arrange": "공 끌기 · Tab, 화살표 · @[arrange] 마침",
     "state.arranging": "공을 놓는 중",
-    "notice.refused.off": "수구가 대 밖에 있습니다 · R 다시",
+    "notice.refused.off": "수구가 대 밖에 있습니다 · @[retry] 다시",
     "notice.refused.room": "공을 놓을 자리가 없습니다",
     "notice.refused.flight": "뜬 공은 정확한 엔진만 계산합니다",
     "notice.refused.moving": "공이 멈출 때까지 기다리세요",

@@ -6,7 +6,7 @@ from math import inf, sqrt
 from operator import attrgetter
 from typing import Any, NamedTuple
 
-CONTACTS = 5  # a ball, in a cluster: three with balls, more discs cannot have, and two walls
+CONTACTS = 7  # a ball, in a cluster: five with balls (docs/physics.md), and two walls
 
 
 @dataclass(slots=True, eq=False)
@@ -15,6 +15,7 @@ class Body:
 
     radius: float = 0.03275
     mass: float = 0.25
+    lift: float = 0.0  # of the centre above the cloth that it lies on: its radius, or 0 for a disc
     # the leg: how it moves from `since` on
     since: float = 0.0
     position: complex = 0j
@@ -114,6 +115,8 @@ class Blow:
     """What trial impulses would do to a ball."""
 
     mass: float = 1.0
+    radius: float = 1.0
+    lift: float = 0.0
     velocity: complex = 0j
     roll: complex = 0j
     side: float = 0.0
@@ -215,6 +218,17 @@ def twin_grid(grid: Grid) -> Grid:
     """The same cells once more."""
     seats = [Seat(*_places(seat)) for seat in grid.seats]
     return grid._replace(head=grid.head[:], seats=seats, tree=grid.tree[:], near=grid.near[:])
+
+
+def twin_scene(scene: Scene, balls: list[Body]) -> Scene:
+    """The same scene once more, with those records of its balls."""
+    return scene._replace(
+        balls=balls,
+        meetings=scene.meetings[:],
+        walls=scene.walls[:],
+        ties=no_ties(len(balls)),
+        grid=twin_grid(scene.grid) if scene.celled else no_grid(len(balls)),
+    )
 
 
 def rows(items: Sequence[Any]) -> Any:

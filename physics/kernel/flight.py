@@ -3,7 +3,7 @@
 Aloft a ball is a stone: its spin stays, its velocity over the table too, and gravity takes its
 climb. All else is a contact in some direction (line, rise) from the centre of the ball: (0, -1) is
 the cloth. `height` is how far the ball's lowest point is above the cloth, and below zero when it
-has left the table. Balls of different radii are compared there too, as discs are on the table.
+has left the table.
 """
 
 from .contact import contact_time, first_fall
@@ -110,7 +110,7 @@ def meet_fixed(ball, line, rise, parting, grip):
 @kernel
 def hit_aloft(a, b, rule):
     """Two balls, one at least in the air: the law of balls in the plane of normal and slip."""
-    line, rise = b.position - a.position, b.height - a.height
+    line, rise = b.position - a.position, b.height - a.height + (b.lift - a.lift)
     far = sqrt(line.real * line.real + line.imag * line.imag + rise * rise)
     line, rise = 1.0 / far * line, rise / far
     v, climb = a.velocity - b.velocity, a.climb - b.climb
@@ -133,7 +133,7 @@ def pair(v, mass, rule):
     """(push, rub) between balls that have v as their relative (normal speed, slip)."""
     if rule.kind == THESIS_BALL or rule.kind == SMOOTH_BALL:
         return mass * rebound(v.real, rule), 0.0
-    push, rub = ball_law(v, 0j, 0.0, mass, rule)
+    push, rub = ball_law(v, 0j, 0.0, mass, 1.0, rule)
     return push, rub.real
 
 

@@ -12,6 +12,7 @@ a hit of two balls, a rub is found as if it could lift them, and then it does no
 from .laws import press, toward
 from .motion import length
 from .subset import complex, inf, kernel, sqrt
+from .tilt import levelled
 
 PUSH, RUB = 0, 1  # what is sought: complex in both cases, a push on the real axis
 WALL = -1  # less the number of the wall: the second in a contact with a wall
@@ -54,9 +55,11 @@ def parting(tie, balls):
 @kernel
 def slip_between(a, b, line):
     turn = line.conjugate()
-    return complex(
-        (turn * (a.velocity - b.velocity)).imag + a.side + b.side, -(turn * (a.roll + b.roll)).real
-    )
+    across, roll = (turn * (a.velocity - b.velocity)).imag, turn * (a.roll + b.roll)
+    if a.lift != b.lift:
+        roll, side = levelled(a, b, roll, a.side + b.side)
+        return complex(across + side, -roll.real)
+    return complex(across + a.side + b.side, -roll.real)
 
 
 @kernel
@@ -257,7 +260,8 @@ def clear(chosen, balls, ties):
         tie = ties.contacts[ties.chosen[k]]
         for i in (tie.first, other(tie)):
             blow = ties.blows[i]
-            blow.mass, blow.climb = balls[i].mass, 0.0
+            ball = balls[i]
+            blow.mass, blow.radius, blow.lift, blow.climb = ball.mass, ball.radius, ball.lift, 0.0
             blow.velocity, blow.roll, blow.side = 0j, 0j, 0.0
 
 

@@ -11,12 +11,13 @@ one instant, losing energy each time, until nothing closes any more.
 """
 
 from .body import CONTACTS
-from .cluster import NOISE, TOUCHING, join, pace, reach, touching
+from .cluster import NOISE, TOUCHING, join, pace, touching
 from .grid import neighbours
 from .impulses import PUSH, RUB, WALL, ask, dot, other, parting, slip_between, solve
 from .laws import FOREIGN_BALL, SMOOTH_BALL, THESIS_BALL, ball_law, grip, nose, reduced, toward
 from .motion import AIRBORNE, OFF, carry, length, motion, place
 from .subset import complex, inf, kernel, room, sqrt
+from .tilt import tilt, touching_distance
 
 HOP = 2e-3  # radii: how far things part that stay together
 PATIENT = 100  # hops of that height; then higher ones: no player's ball spins for so long
@@ -119,7 +120,7 @@ def clings(tie, near, time, held, scene):
         return False
     if a.hopped == NEVER or b.hopped == NEVER:
         near = min(near, TOUCHING)
-    if tie.second > WALL and not touching(place(a, time - a.since), reach(a, near), b, time):
+    if tie.second > WALL and not touching(a, place(a, time - a.since), b, time, near):
         return False
     gap, radius = measure(tie, time, balls, scene.walls)
     if gap > near * radius or held:
@@ -170,7 +171,7 @@ def measure(tie, time, balls, walls):
     q = place(b, time - b.since) - p
     far = length(q)
     tie.line = 1.0 / far * q
-    return far - a.radius - b.radius, min(a.radius, b.radius)
+    return far - touching_distance(a, b), min(a.radius, b.radius)
 
 
 @kernel
@@ -340,11 +341,11 @@ def hold(a, b, line, rule):
     if rule.kind == SMOOTH_BALL or rule.kind == THESIS_BALL:
         return 0.0
     if rule.kind != FOREIGN_BALL:
-        return grip(slip_between(a, b, line), rule)
+        return grip(slip_between(a, b, line), rule) / tilt(a, b)[0]
     turn = line.conjugate()
     v, roll = turn * (a.velocity - b.velocity), turn * (a.roll + b.roll)
     v = complex(max(v.real, rule.parting), v.imag)
-    push, rub = ball_law(v, roll, a.side + b.side, reduced(a, b), rule)
+    push, rub = ball_law(v, roll, a.side + b.side, reduced(a, b), 1.0, rule)
     return length(rub) / push if push > 0.0 else 0.0
 
 

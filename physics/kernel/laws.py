@@ -1,14 +1,15 @@
 """What a collision does.
 
 A cushion law sees the wall as the line x = 0 with the table at x > 0, a ball law sees the second
-ball in the direction +x: the caller turns the picture there and back. A complex rub is (along,
-upward).
+ball in the direction +x: the caller turns the picture there and back, and spins about the third
+axis too where the line of centres is tilted. A complex rub is (along, upward).
 """
 
 from .elementary import exp
 from .mathavan import mathavan_cushion
 from .motion import length
 from .subset import complex, foreign_ball, foreign_cushion, kernel
+from .tilt import levelled, tilt
 
 RIGID_CUSHION, THESIS_CUSHION, CAPPED_CUSHION, MATHAVAN_CUSHION, FOREIGN_CUSHION = 0, 1, 2, 3, 4
 SMOOTH_BALL, ROUGH_BALL, ALCIATORE_BALL, FOREIGN_BALL, THESIS_BALL = 0, 1, 2, 3, 4
@@ -93,15 +94,18 @@ def grip(slip, rule):
 
 
 @kernel
-def ball_law(v, roll, side, mass, rule):
-    """(push, rub) on the first ball, from relative velocity, summed roll and side, reduced mass."""
+def ball_law(v, roll, side, mass, level, rule):
+    """(push, rub) on the first ball, from relative velocity, summed roll and side, reduced mass.
+
+    The push is along the table. It is the share `level` of all that presses the balls together.
+    """
     if rule.kind == FOREIGN_BALL:
         return foreign_ball(v, roll, side, mass, rule)
     push = mass * rebound(v.real, rule)
     if rule.kind == SMOOTH_BALL:
         return push, 0j
     slip = complex(v.imag + side, -roll.real)
-    return push, friction(slip, grip(slip, rule) * push, 3.5 / mass)
+    return push, friction(slip, grip(slip, rule) * push / level, 3.5 / mass)
 
 
 @kernel
@@ -133,10 +137,23 @@ def hit_ball(a, b, rule):
     line = toward(a, b)
     if rule.kind == THESIS_BALL:
         return swap(a, b, line, rule)
+    if a.lift != b.lift:
+        return hit_tilted(a, b, line, rule)
     turn = line.conjugate()
     mass = a.mass * (b.mass / (a.mass + b.mass))  # the product of two small masses may be none
     v, roll = turn * (a.velocity - b.velocity), turn * (a.roll + b.roll)
-    push, rub = ball_law(v, roll, a.side + b.side, mass, rule)
+    push, rub = ball_law(v, roll, a.side + b.side, mass, 1.0, rule)
+    press(a, b, line, push, rub)
+    return push
+
+
+@kernel
+def hit_tilted(a, b, line, rule):
+    """The same law for balls of two sizes: their spins are turned until the line is level."""
+    turn = line.conjugate()
+    mass = reduced(a, b)
+    roll, side = levelled(a, b, turn * (a.roll + b.roll), a.side + b.side)
+    push, rub = ball_law(turn * (a.velocity - b.velocity), roll, side, mass, tilt(a, b)[0], rule)
     press(a, b, line, push, rub)
     return push
 
@@ -148,8 +165,11 @@ def press(a, b, line, push, rub):
     a.velocity -= 1.0 / a.mass * impulse
     b.velocity += 1.0 / b.mass * impulse
     if rub != 0j:
-        gear(a, rub, line)
-        gear(b, rub, line)
+        if a.lift == b.lift:
+            gear(a, rub, line)
+            gear(b, rub, line)
+        else:
+            gear_tilted(a, b, rub, line)
 
 
 @kernel
@@ -157,6 +177,17 @@ def gear(ball, rub, line):
     lever = 2.5 / ball.mass
     ball.roll -= lever * rub.imag * line
     ball.side += lever * rub.real
+
+
+@kernel
+def gear_tilted(a, b, rub, line):
+    """The rub turns balls about axes that are tilted as their line of centres is."""
+    level, rise = tilt(a, b)
+    roll, side = 2.5 * complex(-rub.imag, rise * rub.real) * line, 2.5 * level * rub.real
+    a.roll += 1.0 / a.mass * roll
+    b.roll += 1.0 / b.mass * roll
+    a.side += side / a.mass
+    b.side += side / b.mass
 
 
 @kernel
