@@ -257,10 +257,9 @@ class World:
         if not isinstance(shot, Shot):
             raise ValueError(f"World.strike takes a Shot, not {shot!r}")
         self._refuse_laws("strike")
-        ball = self.ball(ball)
-        ball.climb = shot.climb
-        body = ball.disturb()
+        body = self.ball(ball).on_table().disturb()
         (body.velocity, body.roll), body.side = shot.motion(), shot.side
+        body.climb = shot.climb
 
     def stop(self) -> None:
         """All balls stop where they are; from the air they fall."""

@@ -5,7 +5,7 @@ from .contact import first_fall, meeting
 from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave_table, plan_flight
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .impulses import WALL
-from .lasting import NEVER, forget, lean, leans, leans_on, meets_slowly, met_last
+from .lasting import NEVER, SLOW, forget, lean, leans, meets_slowly, met_last
 from .laws import hit_ball, hit_wall
 from .motion import AIRBORNE, OFF, RESTING, carry, length, motion, settle, swept
 from .subset import complex, inf, kernel, whole
@@ -216,7 +216,10 @@ def bounce(i, goal, instant, time, scene):
     """Ball i hits a cushion, or stays there."""
     ball, wall, rule = scene.balls[i], scene.walls[goal], scene.cushion_rule
     held = ball.trapped > PATIENCE
-    slowly = leans_on(ball, wall, scene.cloth)
+    closing = -(wall.inward * ball.velocity).real
+    slowly = closing <= 2.0 * ball.lent or (
+        closing * closing <= SLOW * scene.cloth.slide * ball.radius
+    )
     if held or (slowly and ball.hopped != NEVER):
         what, contacts = stay(i, WALL - goal, time, held, scene)
         if what != NOTHING:
@@ -289,8 +292,10 @@ def meet(i, j, time, scene):
         meets_slowly(a, time, i)
         meets_slowly(b, time, i)
     else:
-        forget(a)
-        forget(b)
+        if a.hopped != NEVER:
+            forget(a)
+        if b.hopped != NEVER:
+            forget(b)
     hit_ball(a, b, scene.ball_rule)
     go_on_two(i, j, scene)
     return PAIR, j

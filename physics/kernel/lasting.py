@@ -14,7 +14,16 @@ from .body import CONTACTS
 from .cluster import NOISE, TOUCHING, join, pace, touching
 from .grid import neighbours
 from .impulses import PUSH, RUB, WALL, ask, dot, other, parting, slip_between, solve
-from .laws import FOREIGN_BALL, SMOOTH_BALL, THESIS_BALL, ball_law, grip, nose, reduced, toward
+from .laws import (
+    FOREIGN_BALL,
+    SMOOTH_BALL,
+    THESIS_BALL,
+    ball_law,
+    grip,
+    reduced,
+    rigid_cushion,
+    toward,
+)
 from .motion import AIRBORNE, OFF, carry, length, motion, place
 from .subset import complex, inf, kernel, room, sqrt
 from .tilt import tilt, touching_distance
@@ -41,13 +50,6 @@ def leans(a, b, cloth):
         return True
     lent = 2.0 * min(a.lent, b.lent)
     return closing * closing <= lent * lent * square
-
-
-@kernel
-def leans_on(ball, wall, cloth):
-    """The same for a ball and a cushion."""
-    closing = -(wall.inward * ball.velocity).real
-    return closing * closing <= SLOW * cloth.slide * ball.radius or closing <= 2.0 * ball.lent
 
 
 @kernel
@@ -354,6 +356,6 @@ def brush(ball, push, wall, rule):
     """The friction of a cushion that has pushed the ball: the rigid law's, whatever the law."""
     v, roll = wall.inward * ball.velocity, wall.inward * ball.roll
     push /= ball.mass * rule.level
-    v, roll, ball.side = nose(v, roll, ball.side, push, rule)
+    v, roll, ball.side = rigid_cushion(v, roll, ball.side, push, rule)
     v -= rule.level * push  # which the ball has felt
     ball.velocity, ball.roll = wall.normal * v, wall.normal * roll

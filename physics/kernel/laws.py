@@ -32,15 +32,8 @@ def friction(slip, most, yielding):
 
 
 @kernel
-def rigid_cushion(v, roll, side, rule):
-    """A push through the centre of the ball, and friction in the plane across it."""
-    push = rebound(-rule.level * v.real, rule)
-    return nose(v, roll, side, push, rule)
-
-
-@kernel
-def nose(v, roll, side, push, rule):
-    """What a push of the nose does, m/s, and the friction that it allows."""
+def rigid_cushion(v, roll, side, push, rule):
+    """A push through the centre of the ball, m/s, and friction in the plane across it."""
     height, level = rule.height, rule.level
     slip = complex(v.imag + height * roll.imag - level * side, height * v.real + roll.real)
     rub = friction(slip, rule.friction * push, 3.5)
@@ -75,7 +68,7 @@ def capped_cushion(v, roll, side, rule):
 @kernel
 def cushion(v, roll, side, rule):
     if rule.kind == RIGID_CUSHION:
-        return rigid_cushion(v, roll, side, rule)
+        return rigid_cushion(v, roll, side, rebound(-rule.level * v.real, rule), rule)
     if rule.kind == MATHAVAN_CUSHION:
         return mathavan_cushion(v, roll, side, rule)
     if rule.kind == CAPPED_CUSHION:
