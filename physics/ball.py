@@ -8,7 +8,7 @@ from typing import NamedTuple
 from .checks import finite, nonnegative, positive, sizable, vector
 from .kernel.body import Body, Felt, twin
 from .kernel.flight import aloft
-from .kernel.lasting import forget
+from .kernel.lasting import NEVER, forget
 from .kernel.motion import (
     AIRBORNE,
     OFF,
@@ -72,7 +72,8 @@ class Clock:
         for body in bodies:
             carry(body, self.now, self.cloth)
             body.since = 0.0
-            forget(body)
+            if body.hopped != NEVER:
+                forget(body)
         self.epoch, self.now = self.epoch + self.now, 0.0
 
     def settle(self, radius: float, first: bool) -> None:

@@ -46,8 +46,11 @@ def leans(a, b, cloth):
     line = b.position - a.position
     closing = dot(line, a.velocity - b.velocity)
     square = dot(line, line)
-    if closing * closing <= SLOW * cloth.slide * min(a.radius, b.radius) * square:
+    radius = a.radius if a.radius < b.radius else b.radius
+    if closing * closing <= SLOW * cloth.slide * radius * square:
         return True
+    if a.lent == 0.0:
+        return False
     lent = 2.0 * min(a.lent, b.lent)
     return closing * closing <= lent * lent * square
 
