@@ -244,8 +244,8 @@ class _Replay:
             if second <= WALL:
                 tie.line = -walls[WALL - second].normal
             ties.chosen[c] = c
-        scene = self.scene._replace(balls=self.balls, ties=ties)
-        package.lasting.press_apart(len(asked), scene)
+        rules = self.scene.ball_rule, self.scene.cushion_rule
+        package.lasting.press_apart(len(asked), self.balls, ties, self.scene.walls, *rules)
 
     def rest(self) -> Array:
         """(balls, 2, 5): of the positions, once there are no more events."""

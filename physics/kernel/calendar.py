@@ -283,7 +283,8 @@ def meet(i, j, time, scene):
         return PAIR, j
     slowly = leans(a, b, scene.cloth)
     if slowly and met_last(a, b):
-        what, contacts = stay(i, j, time, False, scene)
+        held = a.trapped < 0  # never: False itself would be compiled for once more
+        what, contacts = stay(i, j, time, held, scene)
         if what != NOTHING:
             return what, contacts
     if crowded(i, j, time, balls) if not scene.celled else crowded_near(i, j, time, scene):
@@ -320,7 +321,7 @@ def go_on_two(i, j, scene):
 def crowd(i, j, time, slowly, scene):
     """Many balls touch."""
     balls, ties = scene.balls, scene.ties
-    members, contacts = gather(i, j, time, TOUCHING, scene)
+    members, contacts = gather(i, j, time, scene)
     for m in range(members):
         carry(balls[ties.member[m]], time, scene.cloth)
     if not collide(contacts, balls, scene.ball_rule, ties):

@@ -7,7 +7,7 @@ in line.
 
 from .body import CONTACTS
 from .grid import neighbours
-from .impulses import PUSH, RUB, WALL, ask, other, slip_between, solve
+from .impulses import PUSH, RUB, ask, other, slip_between, solve
 from .laws import FOREIGN_BALL, SMOOTH_BALL, THESIS_BALL, grip, hit_ball, rebound, toward
 from .motion import AIRBORNE, length, place
 from .subset import kernel, room
@@ -92,18 +92,14 @@ def third(a, i, j, time, balls, grid):
 
 
 @kernel
-def gather(i, j, time, margin, scene):
-    """All that hangs together with ball i and ball j (or a wall) by gaps below `margin`: how many
-    balls, in ties.member, and contacts.    """
+def gather(i, j, time, scene):
+    """All that hangs together with balls i and j: how many balls, in ties.member, and contacts."""
     balls, ties, grid = scene.balls, scene.ties, scene.grid
     member = ties.member
-    member[0] = i
+    member[0], member[1] = i, j
     room(ties, 1)
     join(i, j, ties.contacts[0])
-    members, contacts, m = 1, 1, 0
-    if j > WALL:
-        member[1] = j
-        members = 2
+    members, contacts, m = 2, 1, 0
     while m < members:
         a = member[m]
         here = place(balls[a], time - balls[a].since)
@@ -111,11 +107,9 @@ def gather(i, j, time, margin, scene):
             k = grid.near[near]
             if (a == i and k == j) or (a == j and k == i):
                 continue
-            if not touching(balls[a], here, balls[k], time, margin):
+            if not touching(balls[a], here, balls[k], time, TOUCHING):
                 continue
-            at = 0
-            while at < members and member[at] != k:
-                at += 1
+            at = seat(k, member, members)
             if at == members:
                 member[members] = k
                 members += 1
@@ -125,6 +119,15 @@ def gather(i, j, time, margin, scene):
                 contacts += 1
         m += 1
     return members, contacts
+
+
+@kernel
+def seat(k, member, members):
+    """Which of the members ball k is, or how many there are if it is none."""
+    at = 0
+    while at < members and member[at] != k:
+        at += 1
+    return at
 
 
 @kernel
@@ -218,13 +221,14 @@ def together(chosen, balls, rule, ties, noise):
         tie.target = max(apart, 1e-3 * noise)
         tie.grip = grip(slip_between(a, b, toward(a, b)), rule) / tilt(a, b)[0]
         ask(PUSH, tie, balls)
-    found = solve(PUSH, chosen, balls, ties)
-    for k in range(chosen):
-        tie = ties.contacts[ties.chosen[k]]
-        push = tie.size * tie.impulse.real
-        tie.total += push
-        ask(RUB, tie, balls)
-        tie.bound = tie.grip * push / tie.size
-    if found and rule.kind != SMOOTH_BALL:
-        found = solve(RUB, chosen, balls, ties)
-    return found
+    for kind in range(PUSH, PUSH + 1 if rule.kind == SMOOTH_BALL else RUB + 1):
+        if not solve(kind, chosen, balls, ties):
+            return False
+        for k in range(chosen):
+            tie = ties.contacts[ties.chosen[k]]
+            if kind == PUSH:
+                push = tie.size * tie.impulse.real
+                tie.total += push
+                ask(RUB, tie, balls)
+                tie.bound = tie.grip * push / tie.size
+    return True

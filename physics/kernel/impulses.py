@@ -191,9 +191,8 @@ def step(kind, chosen, balls, ties, stride):
         room = min(room, reach(kind, tie))
     far = down / bend if bend > 0.0 else inf
     if far >= room:
-        if room < inf:
-            move(chosen, ties, room)
-        project(kind, chosen, balls, ties, stride)
+        if far == inf or not leap(kind, chosen, balls, ties, far):
+            project(kind, chosen, balls, ties, stride)
         return True
     move(chosen, ties, far)
     turn = 0.0
@@ -206,6 +205,26 @@ def step(kind, chosen, balls, ties, stride):
         tie = ties.contacts[ties.chosen[k]]
         tie.way = tie.slope - turn * tie.way if free(kind, tie) else 0j
     return False
+
+
+@kernel
+def leap(kind, chosen, balls, ties, far):
+    """Go so far along the way and back within the bounds; False, and not at all, if that is up."""
+    for k in range(chosen):
+        tie = ties.contacts[ties.chosen[k]]
+        tie.way = tie.impulse - within(kind, tie, tie.impulse - far * tie.way)
+    respond(kind, chosen, balls, ties)
+    gain = 0.0
+    for k in range(chosen):
+        tie = ties.contacts[ties.chosen[k]]
+        gain += dot(tie.slope, tie.way) - 0.5 * dot(tie.way, tie.answer)
+    if not gain > 0.0:
+        return False
+    move(chosen, ties, 1.0)
+    for k in range(chosen):
+        tie = ties.contacts[ties.chosen[k]]
+        tie.impulse = within(kind, tie, tie.impulse)
+    return True
 
 
 @kernel

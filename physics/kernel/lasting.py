@@ -11,7 +11,7 @@ one instant, losing energy each time, until nothing closes any more.
 """
 
 from .body import CONTACTS
-from .cluster import NOISE, TOUCHING, join, pace, touching
+from .cluster import NOISE, TOUCHING, join, pace, seat, touching
 from .grid import neighbours
 from .impulses import PUSH, RUB, WALL, ask, dot, other, parting, slip_between, solve
 from .laws import (
@@ -22,9 +22,8 @@ from .laws import (
     grip,
     reduced,
     rigid_cushion,
-    toward,
 )
-from .motion import AIRBORNE, OFF, carry, length, motion, place
+from .motion import carry, length, motion, place
 from .subset import complex, inf, kernel, room, sqrt
 from .tilt import tilt, touching_distance
 
@@ -74,10 +73,9 @@ def forget(ball):
 
 
 @kernel
-def gather_slow(i, j, time, held, scene):
+def gather_slow(i, j, time, held, balls, ties, walls, grid, slide):
     """All that hangs together with ball i and ball j, or wall -1 - j, by small gaps that hardly
     change, or if it is held, by none: how many balls, in ties.member, and contacts."""
-    balls, ties, walls, grid = scene.balls, scene.ties, scene.walls, scene.grid
     near = TOUCHING if held else min(SPREAD * HOP * stretch(balls[i]) ** 2, FAR)
     member = ties.member
     member[0] = i
@@ -85,21 +83,21 @@ def gather_slow(i, j, time, held, scene):
     join(i, j, ties.contacts[0])
     members, contacts, m = 1, 1, 0
     if j > WALL:
-        member[1] = j
-        members = 2
+        member[1], members = j, 2
     while m < members:
         a = member[m]
+        here = place(balls[a], time - balls[a].since)
         for n in range(neighbours(a, balls, grid)):
             k = grid.near[n]
-            at = 0
-            while at < members and member[at] != k:
-                at += 1
+            if not touching(balls[a], here, balls[k], time, near):
+                continue
+            at = seat(k, member, members)
             # a contact among members is found by the earlier of them; the first is there already
             if (m == 0 and k == j) or at <= m or contacts == CONTACTS * len(balls):
                 continue
             room(ties, contacts + 1)
             join(a, k, ties.contacts[contacts])
-            if clings(ties.contacts[contacts], near, time, held, scene):
+            if clings(ties.contacts[contacts], near, time, held, balls, walls, slide):
                 contacts += 1
                 if at == members:
                     member[members] = k
@@ -107,38 +105,35 @@ def gather_slow(i, j, time, held, scene):
         for k in range(len(walls)):
             if (m == 0 and j == WALL - k) or contacts == CONTACTS * len(balls):
                 continue
+            if gap_to(here, balls[a], walls[k]) > near * balls[a].radius:
+                continue
             room(ties, contacts + 1)
             join(a, WALL - k, ties.contacts[contacts])
-            if clings(ties.contacts[contacts], near, time, held, scene):
+            if clings(ties.contacts[contacts], near, time, held, balls, walls, slide):
                 contacts += 1
         m += 1
     return members, contacts
 
 
 @kernel
-def clings(tie, near, time, held, scene):
+def clings(tie, near, time, held, balls, walls, slide):
     """Is it a contact, or was one just now, that opens and closes no faster than hops do, or is
     held?"""
-    balls = scene.balls
     a, b = balls[tie.first], balls[other(tie)]
-    if b.phase == AIRBORNE or b.phase == OFF:
-        return False
     if a.hopped == NEVER or b.hopped == NEVER:
         near = min(near, TOUCHING)
-    if tie.second > WALL and not touching(a, place(a, time - a.since), b, time, near):
-        return False
-    gap, radius = measure(tie, time, balls, scene.walls)
+    gap, radius = measure(tie, time, balls, walls)
     if gap > near * radius or held:
         return gap <= near * radius
-    speed = dot(tie.line, heading(a, time))
+    speed = dot(tie.line, moving(a, time))
     if tie.second > WALL:
-        speed -= dot(tie.line, heading(b, time))
+        speed -= dot(tie.line, moving(b, time))
     longest = stretch(a)
-    return speed * speed <= 4.0 * longest * longest * SLOW * scene.cloth.slide * radius
+    return speed * speed <= 4.0 * longest * longest * SLOW * slide * radius
 
 
 @kernel
-def heading(ball, time):
+def moving(ball, time):
     """Its velocity then."""
     return ball.velocity + (time - ball.since) * ball.acceleration
 
@@ -180,15 +175,14 @@ def measure(tie, time, balls, walls):
 
 
 @kernel
-def pressure(contacts, time, scene):
+def pressure(contacts, time, balls, ties, walls, cloth):
     """What presses the contact that is pressed most, m/s², and how long they all hop: as long as
     that one, or until what presses ends, so that no hop is under way when nothing brings it back.
     """
-    balls, ties, cloth = scene.balls, scene.ties, scene.cloth
     most, shortest = 0.0, inf
     for c in range(contacts):
         tie = ties.contacts[c]
-        _, radius = measure(tie, time, balls, scene.walls)
+        _, radius = measure(tie, time, balls, walls)
         press = press_of(tie, balls)
         if press > 0.0:
             most = max(most, press)
@@ -217,28 +211,24 @@ def lent_to(tie, balls):
 
 
 @kernel
-def stays(contacts, most, scene):
-    """Does the first contact come back with what it was lent, or would it soon, if it rebounded?"""
-    tie = scene.ties.contacts[0]
-    rule = scene.ball_rule if tie.second > WALL else scene.cushion_rule
-    lent, closing = lent_to(tie, scene.balls), -parting(tie, scene.balls)
+def stays(tie, most, balls, rule):
+    """Does the contact come back with what it was lent, or would it soon, if it rebounded?"""
+    lent, closing = lent_to(tie, balls), -parting(tie, balls)
     if lent > 0.0 and closing <= 2.0 * lent:
         return True
-    lift = 2.0 * most * HOP * scene.balls[tie.first].radius  # the square of the speed of a hop
+    lift = 2.0 * most * HOP * balls[tie.first].radius  # the square of the speed of a hop
     apart = rule.restitution * closing
     fits = apart * apart <= lift and closing * closing <= 4.0 * lift
     return fits and rule.parting * rule.parting <= lift
 
 
 @kernel
-def aim(tie, time, most, lasting, least, held, scene):
+def aim(tie, time, most, lasting, least, held, balls, walls, rule):
     """Set how fast the contact has to part: so that it is closed again `lasting` seconds from now.
 
     Returns the speed of its hop, m/s.
     """
-    balls = scene.balls
-    gap, radius = measure(tie, time, balls, scene.walls)
-    rule = scene.ball_rule if tie.second > WALL else scene.cushion_rule
+    gap, radius = measure(tie, time, balls, walls)
     press, closing, lent = press_of(tie, balls), -parting(tie, balls), lent_to(tie, balls)
     lift = 0.5 * press * lasting if press > 0.0 else 0.0
     hop = sqrt(2.0 * most * HOP * radius) * stretch(balls[tie.first])
@@ -263,26 +253,29 @@ def lean(i, j, time, held, scene):
 
     No contacts if they do not, and -1 if impulses could not be found.
     """
-    balls, ties = scene.balls, scene.ties
-    members, contacts = gather_slow(i, j, time, held, scene)
-    most, lasting = pressure(contacts, time, scene)
+    balls, ties, walls, cloth = scene.balls, scene.ties, scene.walls, scene.cloth
+    members, contacts = gather_slow(i, j, time, held, balls, ties, walls, scene.grid, cloth.slide)
+    most, lasting = pressure(contacts, time, balls, ties, walls, cloth)
+    first_rule = scene.ball_rule if j > WALL else scene.cushion_rule
     if held:
         elastic = max(scene.ball_rule.restitution, scene.cushion_rule.restitution) >= 1.0
         if members == 1 or elastic:
             return members, 0
-    elif not stays(contacts, most, scene):
+    elif not stays(ties.contacts[0], most, balls, first_rule):
         return members, 0
     for m in range(members):
-        carry(balls[ties.member[m]], time, scene.cloth)
+        carry(balls[ties.member[m]], time, cloth)
     least = 1e-3 * NOISE * pace(contacts, balls, ties)
     lent, chosen = 0.0, 0
     for c in range(contacts):
         tie = ties.contacts[c]
-        lent = max(lent, aim(tie, time, most, lasting, least, held, scene))
+        rule = scene.ball_rule if tie.second > WALL else scene.cushion_rule
+        lift = aim(tie, time, most, lasting, least, held, balls, walls, rule)
+        lent = max(lent, lift)
         if tie.target > -inf:
             ties.chosen[chosen] = c
             chosen += 1
-    if not press_apart(chosen, scene):
+    if not press_apart(chosen, balls, ties, walls, scene.ball_rule, scene.cushion_rule):
         return members, -1
     for m in range(members):
         ball = balls[ties.member[m]]
@@ -293,41 +286,33 @@ def lean(i, j, time, held, scene):
 
 
 @kernel
-def press_apart(chosen, scene):
+def press_apart(chosen, balls, ties, walls, ball_rule, cushion_rule):
     """Impulses that make the chosen contacts part as they should: pushes, what friction makes of
     them, and pushes once more against what that has closed."""
-    balls, ties = scene.balls, scene.ties
-    for k in range(chosen):
-        tie = ties.contacts[ties.chosen[k]]
-        tie.grip = 0.0
-        if tie.second > WALL:
-            a, b = balls[tie.first], balls[tie.second]
-            tie.grip = hold(a, b, toward(a, b), scene.ball_rule)
-    if not push_apart(chosen, balls, ties):
-        return False
-    rubbed = rub(chosen, balls, ties)
-    for k in range(chosen):
-        tie = ties.contacts[ties.chosen[k]]
-        if tie.second <= WALL and tie.total > 0.0:
-            brush(balls[tie.first], tie.total, scene.walls[WALL - tie.second], scene.cushion_rule)
-    return rubbed and push_apart(chosen, balls, ties)
+    for stage in range(3):
+        kind, count = PUSH, chosen
+        if stage == 1:
+            kind, count = RUB, ask_rubs(chosen, balls, ties)
+        else:
+            for k in range(chosen):
+                tie = ties.contacts[ties.chosen[k]]
+                ask(PUSH, tie, balls)
+                if stage == 0:
+                    tie.grip = hold(tie, balls, ball_rule)
+        if not solve(kind, count, balls, ties):
+            return False
+        for k in range(chosen):
+            tie = ties.contacts[ties.chosen[k]]
+            if kind == PUSH:
+                tie.total += tie.size * tie.impulse.real
+            elif tie.second <= WALL and tie.total > 0.0:
+                brush(balls[tie.first], tie.total, walls[WALL - tie.second], cushion_rule)
+    return True
 
 
 @kernel
-def push_apart(chosen, balls, ties):
-    """The pushes add up in tie.total."""
-    for k in range(chosen):
-        ask(PUSH, ties.contacts[ties.chosen[k]], balls)
-    found = solve(PUSH, chosen, balls, ties)
-    for k in range(chosen):
-        tie = ties.contacts[ties.chosen[k]]
-        tie.total += tie.size * tie.impulse.real
-    return found
-
-
-@kernel
-def rub(chosen, balls, ties):
-    """The rubs between balls, as their pushes hold them."""
+def ask_rubs(chosen, balls, ties):
+    """Put the contacts that a push holds together first among the chosen; returns how many."""
     rubs = 0
     for k in range(chosen):
         c = ties.chosen[k]
@@ -337,14 +322,15 @@ def rub(chosen, balls, ties):
             tie.bound = tie.grip * tie.total / tie.size
             ties.chosen[k], ties.chosen[rubs] = ties.chosen[rubs], c
             rubs += 1
-    return solve(RUB, rubs, balls, ties)
+    return rubs
 
 
 @kernel
-def hold(a, b, line, rule):
-    """The coefficient of friction that the law has for two balls as they are now."""
-    if rule.kind == SMOOTH_BALL or rule.kind == THESIS_BALL:
+def hold(tie, balls, rule):
+    """The coefficient of friction that the law has for two balls as they are now; 0 at walls."""
+    if tie.second <= WALL or rule.kind == SMOOTH_BALL or rule.kind == THESIS_BALL:
         return 0.0
+    a, b, line = balls[tie.first], balls[tie.second], tie.line
     if rule.kind != FOREIGN_BALL:
         return grip(slip_between(a, b, line), rule) / tilt(a, b)[0]
     turn = line.conjugate()
