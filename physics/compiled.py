@@ -123,12 +123,12 @@ def _kernel() -> ModuleType:
     folder = _opened(wanted) if wanted else None
     if folder is None:
         log.warning(
-            "compiling the kernel for this process alone, which takes about 10 seconds: %s",
+            "compiling the kernel for this process alone, which takes about 25 seconds: %s",
             f"cannot write to {wanted}" if wanted else "there is no home to keep it in",
         )
         return _built(None)
     if not any(folder.glob(DONE)):
-        log.warning("compiling the kernel for %s, this once: it takes about 10 seconds", folder)
+        log.warning("compiling the kernel for %s, this once: it takes about 25 seconds", folder)
     try:
         return _built(folder)
     except Exception as error:  # broken files may raise anything, a full disk an OSError
@@ -195,7 +195,7 @@ def _forget(folder: Path) -> None:
     """Remove the kernels beside this new one that nobody has used for a week.
 
     Each edit and each release leaves one, of 2 to 6 MB. Another install may still want its own:
-    after a week it waits 10 s for it anew. First a folder loses its name, then its files, so
+    after a week it waits 25 s for it again. First a folder loses its name, then its files, so
     nobody finds half of one; one that somebody else removes, or holds open, is left alone.
     """
     now = folder.stat().st_mtime
