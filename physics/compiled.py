@@ -73,6 +73,34 @@ def _no_door(function: Any, *_: Any) -> None:
     raise TypeError(f"only compiled code can call {function.__name__}; physics.kernel has it too")
 
 
+def _parts() -> Any:
+    """A compiler of functions that are only parts of others: it makes no machine code of them,
+    which is a quarter of the work."""
+    from numba.core.codegen import JITCodeLibrary
+    from numba.core.compiler import Compiler
+
+    class Part(JITCodeLibrary):  # type: ignore[misc]
+        @property
+        def codegen(self) -> Any:
+            return self
+
+        def set_env(self, name: str, environment: Any) -> None:
+            """Nor has it globals of Python's."""
+
+        def get_pointer_to_function(self, name: str) -> int:
+            return 0  # as of all functions without a door for Python
+
+        def _finalize_final_module(self) -> None:
+            self._finalized = True
+
+    class Parts(Compiler):  # type: ignore[misc]
+        def compile_extra(self, function: Any) -> Any:
+            self.state.library = Part(self.state.targetctx.codegen(), function.__qualname__)
+            return super().compile_extra(function)
+
+    return Parts
+
+
 def _subset(folder: Path | None) -> ModuleType:
     """What the kernel is written in, for numba; what is compiled is kept in the folder, if any."""
     from numba import njit
@@ -82,10 +110,11 @@ def _subset(folder: Path | None) -> ModuleType:
     bare = partial(njit, nogil=True, error_model="numpy", _nrt=False, no_cfunc_wrapper=True)
 
     inner = type("Inner", (CPUDispatcher,), {"__call__": _no_door})  # which would crash
+    parts = _parts()
 
     def kernel(function: Any) -> Any:
         """Called by compiled code alone: without a door for Python, and a file of its own."""
-        compiled = bare(function, no_cpython_wrapper=True)
+        compiled = bare(function, no_cpython_wrapper=True, pipeline_class=parts)
         compiled.__class__ = inner
         return compiled
 
@@ -123,12 +152,12 @@ def _kernel() -> ModuleType:
     folder = _opened(wanted) if wanted else None
     if folder is None:
         log.warning(
-            "compiling the kernel for this process alone, which takes about 25 seconds: %s",
+            "compiling the kernel for this process alone, which takes about 20 seconds: %s",
             f"cannot write to {wanted}" if wanted else "there is no home to keep it in",
         )
         return _built(None)
     if not any(folder.glob(DONE)):
-        log.warning("compiling the kernel for %s, this once: it takes about 25 seconds", folder)
+        log.warning("compiling the kernel for %s, this once: it takes about 20 seconds", folder)
     try:
         return _built(folder)
     except Exception as error:  # broken files may raise anything, a full disk an OSError
@@ -195,7 +224,7 @@ def _forget(folder: Path) -> None:
     """Remove the kernels beside this new one that nobody has used for a week.
 
     Each edit and each release leaves one, of 2 to 6 MB. Another install may still want its own:
-    after a week it waits 25 s for it again. First a folder loses its name, then its files, so
+    after a week it waits 20 s for it again. First a folder loses its name, then its files, so
     nobody finds half of one; one that somebody else removes, or holds open, is left alone.
     """
     now = folder.stat().st_mtime

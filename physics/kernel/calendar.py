@@ -5,16 +5,16 @@ from .contact import first_fall, meeting
 from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave_table, plan_flight
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .impulses import WALL
-from .lasting import NEVER, SLOW, forget, lean, leans, meets_slowly, met_last
+from .lasting import FEW, FEWER, NEVER, forget, lean, leans, meets_slowly, rests_on
 from .laws import hit_ball, hit_wall
 from .motion import AIRBORNE, OFF, RESTING, carry, length, motion, settle, swept
 from .subset import complex, inf, kernel, whole
 
 PHASE_ENDS = -1
 UNKNOWN = -1
-INSTANT = 1e-12  # s: a leg that short goes nowhere
+INSTANT = 1e-8  # s: no contact of real balls is so short; a leg that short goes nowhere
 FACING = 1e-8  # of walls: the length of the sum of their normals when they face each other
-PATIENCE = 64  # how many of them at cushions make a trap
+PATIENCE = 16  # how many of them at cushions make a trap
 PHASE, CUSHION, PAIR, CLUSTER, LASTING, NOTHING, UNSOLVED = 0, 1, 2, 3, 4, 5, 6  # an event is
 
 
@@ -198,6 +198,9 @@ def happen(i, scene):
     elif ball.phase == AIRBORNE:
         kind = CUSHION
         hit_nose(ball, scene.walls[goal], scene.cushion_rule)
+    elif ball.hopped == NEVER and not (instant or rests_on(ball, scene.walls[goal], cloth)):
+        kind = CUSHION
+        hit_wall(ball, scene.walls[goal], scene.cushion_rule)
     else:
         kind, contacts = bounce(i, goal, instant, time, scene)
         if kind != CUSHION:
@@ -213,14 +216,11 @@ def happen(i, scene):
 
 @whole
 def bounce(i, goal, instant, time, scene):
-    """Ball i hits a cushion, or stays there."""
+    """Ball i hits a cushion, slowly or at once after something else; perhaps it stays there."""
     ball, wall, rule = scene.balls[i], scene.walls[goal], scene.cushion_rule
     held = ball.trapped > PATIENCE
-    closing = -(wall.inward * ball.velocity).real
-    slowly = closing <= 2.0 * ball.lent or (
-        closing * closing <= SLOW * scene.cloth.slide * ball.radius
-    )
-    if held or (slowly and ball.hopped != NEVER):
+    slowly = rests_on(ball, wall, scene.cloth)
+    if held or (slowly and ball.hops >= FEWER):
         what, contacts = stay(i, WALL - goal, time, held, scene)
         if what != NOTHING:
             return what, contacts
@@ -282,7 +282,7 @@ def meet(i, j, time, scene):
         go_on_two(i, j, scene)
         return PAIR, j
     slowly = leans(a, b, scene.cloth)
-    if slowly and met_last(a, b):
+    if slowly and a.hops >= FEW and b.hops >= FEW:
         held = a.trapped < 0  # never: False itself would be compiled for once more
         what, contacts = stay(i, j, time, held, scene)
         if what != NOTHING:

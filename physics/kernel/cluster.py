@@ -103,9 +103,10 @@ def gather(i, j, time, scene):
     while m < members:
         a = member[m]
         here = place(balls[a], time - balls[a].since)
+        far = reach(balls[a], TOUCHING)
         for near in range(neighbours(a, balls, grid)):
             k = grid.near[near]
-            if (a == i and k == j) or (a == j and k == i):
+            if not beside(here, far, balls[k], time) or (a == i and k == j) or (a == j and k == i):
                 continue
             if not touching(balls[a], here, balls[k], time, TOUCHING):
                 continue

@@ -27,6 +27,8 @@ from .motion import carry, length, motion, place
 from .subset import complex, inf, kernel, room, sqrt
 from .tilt import tilt, touching_distance
 
+FEW, FEWER = 10, 5  # slow hits in a row, of balls and at a cushion; the balls of a break have
+# parted before
 HOP = 2e-3  # radii: how far things part that stay together
 PATIENT = 100  # hops of that height; then higher ones: no player's ball spins for so long
 GROWTH = 0.04  # of the length of a hop, each time
@@ -55,9 +57,17 @@ def leans(a, b, cloth):
 
 
 @kernel
+def rests_on(ball, wall, cloth):
+    """Does a ball that has just met a wall close so slowly that the cloth could keep it there?"""
+    closing = -(wall.inward * ball.velocity).real
+    return closing <= 2.0 * ball.lent or closing * closing <= SLOW * cloth.slide * ball.radius
+
+
+@kernel
 def meets_slowly(ball, time, i):
-    """If it soon meets again what it met in this event of ball i, they stay together."""
-    ball.hopped, ball.met, ball.hops, ball.lent = time, i, 0, 0.0
+    """If it goes on like this, it stays together with what it meets in this event of ball i."""
+    ball.hops = min(ball.hops + 1, FEW) if ball.hopped != NEVER else 1
+    ball.hopped, ball.met, ball.lent = time, i, 0.0
 
 
 @kernel
@@ -247,6 +257,24 @@ def aim(tie, time, most, lasting, least, held, balls, walls, rule):
 
 
 @kernel
+def aim_all(contacts, time, most, lasting, held, scene):
+    """Set it for all contacts, and choose those that have to part: (the highest speed of a hop, how
+    many are chosen)."""
+    balls, ties = scene.balls, scene.ties
+    least = 1e-3 * NOISE * pace(contacts, balls, ties)
+    lent, chosen = 0.0, 0
+    for c in range(contacts):
+        tie = ties.contacts[c]
+        rule = scene.ball_rule if tie.second > WALL else scene.cushion_rule
+        lift = aim(tie, time, most, lasting, least, held, balls, scene.walls, rule)
+        lent = max(lent, lift)
+        if tie.target > -inf:
+            ties.chosen[chosen] = c
+            chosen += 1
+    return lent, chosen
+
+
+@kernel
 def lean(i, j, time, held, scene):
     """Ball i meets ball j, or wall -1 - j, slowly, or is held between balls and walls: (balls,
     contacts) if they stay together.
@@ -265,16 +293,7 @@ def lean(i, j, time, held, scene):
         return members, 0
     for m in range(members):
         carry(balls[ties.member[m]], time, cloth)
-    least = 1e-3 * NOISE * pace(contacts, balls, ties)
-    lent, chosen = 0.0, 0
-    for c in range(contacts):
-        tie = ties.contacts[c]
-        rule = scene.ball_rule if tie.second > WALL else scene.cushion_rule
-        lift = aim(tie, time, most, lasting, least, held, balls, walls, rule)
-        lent = max(lent, lift)
-        if tie.target > -inf:
-            ties.chosen[chosen] = c
-            chosen += 1
+    lent, chosen = aim_all(contacts, time, most, lasting, held, scene)
     if not press_apart(chosen, balls, ties, walls, scene.ball_rule, scene.cushion_rule):
         return members, -1
     for m in range(members):
