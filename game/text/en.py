@@ -34,7 +34,6 @@ WORDS = {
     "table.thesis": "Thesis table",
     "table.medium": "Medium 4-ball table",
     "table.match": "Match table",
-    "table.scene": "Scene {name}",
     "tip": "Tip point",
     "tip.side": "side",
     "tip.height": "height",

@@ -34,7 +34,6 @@ WORDS = {
     "table.thesis": "논문 당구대",
     "table.medium": "중대 · 4구",
     "table.match": "국제식 대대",
-    "table.scene": "장면 {name}",
     "tip": "당점",
     "tip.side": "좌우",
     "tip.height": "상하",
