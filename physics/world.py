@@ -83,9 +83,9 @@ class World:
         elif isinstance(thing, Wall):
             self._walls.append(thing)
             self.scene.walls.append(thing.record())
-            self._clock.moved = True
         else:
             raise ValueError(f"a world takes a Ball or a Wall, not {thing!r}")
+        self._clock.moved = True
         self._disturb()
         return thing
 
