@@ -327,7 +327,7 @@ class World:
         clock.now = now
 
     def run(self, until: float = inf) -> None:
-        """Let time pass till all balls rest, or till world time `until`, s, that included."""
+        """Let time pass until all balls rest, or until world time `until`, s, that included."""
         self._refuse_laws("run")
         if until != inf:
             until = finite("World.run until", until)
