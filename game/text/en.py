@@ -125,7 +125,7 @@ WORDS = {
     "help.caret": "move the caret; Shift selects",
     "help.paste": "select all, copy, cut, paste",
     "help.tab": "next box, box before",
-    "help.esc": "leave editing",
+    "help.esc": "leave editing; in play, the game menu",
     "help.help": "this page",
     "help.language": "한국어 / English",
     "name.space": "Space",

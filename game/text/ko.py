@@ -125,7 +125,7 @@ WORDS = {
     "help.caret": "커서 옮기기, Shift 선택",
     "help.paste": "모두 선택, 복사, 잘라내기, 붙여넣기",
     "help.tab": "다음 칸, 이전 칸",
-    "help.esc": "입력에서 나가기",
+    "help.esc": "입력에서 나가기; 경기 중에는 게임 메뉴",
     "help.help": "이 화면",
     "help.language": "한국어 / English",
     "name.space": "Space",

@@ -97,7 +97,7 @@ COLUMNS: tuple[tuple[Section, ...], ...] = (
                 ("@settings", "key.settings"),
                 ("@sheet shelf", "key.sheet shelf"),
                 ("@sheet rules", "key.sheet rules"),
-                ("Esc, @sheet menu", "key.sheet menu"),
+                ("@sheet menu", "key.sheet menu"),
                 ("@mute", "key.mute"),
                 ("@both", "key.both"),
             ),
