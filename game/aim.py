@@ -99,11 +99,15 @@ class Aim:
             return None
         return Shot(**dict(zip(BOXES, map(value, self.texts), strict=True)))
 
+    def number(self, name: str) -> float | None:
+        """The number in one box, while the rest of the entry may still be missing."""
+        box = BOXES.index(name)
+        return None if fault(box, self.texts[box]) else value(self.texts[box])
+
     @property
     def angle(self) -> float | None:
-        """The angle alone, degrees, while the rest of the entry may still be missing."""
-        box = BOXES.index("angle")
-        return None if fault(box, self.texts[box]) else value(self.texts[box])
+        """The angle alone, degrees."""
+        return self.number("angle")
 
     @property
     def edited(self) -> TextField | None:
@@ -187,36 +191,41 @@ class Aim:
 
     @property
     def tip(self) -> Tip | None:
-        """Where the tip must meet the ball for the numbers in the boxes; None without a shot.
+        """Where the tip must meet the ball for the speed and the spins; None while one is missing.
 
         The boxes are rounded: while they hold what `hold` has written, it is what was held.
         """
-        shot = self.shot
-        if shot is None:
+        if self._held and self._held[1] == self.texts[:4]:
+            return self._held[0]
+        if any(BOXES[fault.box] != "angle" for fault in self.faults):
             return None
-        return self._held[0] if self._held and self._held[1] == self.texts[:4] else tip_of(shot)
+        return tip_of(Shot(**dict(zip(BOXES[:4], map(value, self.texts[:4]), strict=True))))
 
-    def hold(self, tip: Tip, speed: float | None = None) -> None:
-        """Write the spins of a tip point for the speed, which stays if it is None."""
-        shot = self.shot
-        speed = speed or (shot.speed if shot else 0.0)
-        if speed:
+    def hold(self, tip: Tip, speed: float | None = None) -> bool:
+        """Write the spins of a tip point for the speed, which stays if it is None.
+
+        Returns whether there is a speed: without one a tip point gives no spins.
+        """
+        if speed is not None:
             self.put(speed=speed)
-            speed = value(self.texts[0])
-            self.put(**tip.spins(speed))
-            self._held = tip, self.texts[:4]
+        known = self.number("speed")
+        if known is None:
+            return False
+        self.put(**tip.spins(known))
+        self._held = tip, self.texts[:4]
+        return True
 
     def speed(self, speed: float) -> None:
         """Write a speed, and the spins that the same tip point then gives."""
-        tip, shot = self.tip, self.shot
-        if tip is not None and tip.elevation is not None:
-            self.hold(tip, speed)
-        elif shot is not None:
-            share = speed / shot.speed
-            spins = {name: share * getattr(shot, name) for name in ("follow", "masse", "side")}
-            self.put(speed=speed, **spins)
-        else:
+        tip = self.tip
+        if tip is None:
             self.put(speed=speed)
+        elif tip.elevation is not None:
+            self.hold(tip, speed)
+        else:
+            now, *spins = map(value, self.texts[:4])
+            share = speed / now
+            self.put(speed=speed, **{n: share * w for n, w in zip(BOXES[1:4], spins, strict=True)})
 
     def spent(self) -> None:
         """The shot has been played: the next one needs a new entry."""

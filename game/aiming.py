@@ -14,7 +14,6 @@ from physics import heading
 
 from . import thickness
 from .aim import BOXES, MOST
-from .numerals import value as number
 from .tip import LIMIT, STEEPEST, Tip
 
 if TYPE_CHECKING:
@@ -22,7 +21,8 @@ if TYPE_CHECKING:
 
 WEAKEST, STRONGEST = 0.05, 8.0
 """Ends of what can be set by hand, m/s: a ball that hardly moves, and a hard break."""
-
+CENTRE = Tip(0.0, 0.0)
+"""In the middle, with a level cue; also where a tip point begins that is not known yet."""
 BEND = 1.6
 """Power of the power bar: half of it is for speeds below 2.6 m/s, where touch matters."""
 
@@ -78,9 +78,7 @@ def power(game: Game, value: str) -> None:
 
 def push(game: Game, value: str) -> None:
     """Change the speed by so much, m/s."""
-    box = BOXES.index("speed")
-    fine = not any(fault.box == box for fault in game.aim.faults)
-    power(game, str((number(game.aim.texts[box]) if fine else 0.0) + float(value)))
+    power(game, str((game.aim.number("speed") or 0.0) + float(value)))
 
 
 def tip(game: Game, value: str) -> None:
@@ -92,8 +90,8 @@ def tip(game: Game, value: str) -> None:
 
 def nudge(game: Game, value: str) -> None:
     """Move the tip point by so much."""
-    now = game.aim.tip
-    if ready(game) and now is not None:
+    now = game.aim.tip or CENTRE
+    if ready(game):
         right, up = map(float, value.split())
         _strike_at(game, Tip(now.right + right, now.up + up, _elevation(game)))
 
@@ -101,7 +99,7 @@ def nudge(game: Game, value: str) -> None:
 def centre(game: Game) -> None:
     """Strike in the middle with a level cue."""
     if ready(game):
-        _strike_at(game, Tip(0.0, 0.0))
+        _strike_at(game, CENTRE)
 
 
 def tilt(game: Game, value: str) -> None:
@@ -111,20 +109,20 @@ def tilt(game: Game, value: str) -> None:
 
 def elevate(game: Game, value: str) -> None:
     """Set the cue's elevation, degrees; the tip meets the same spot as seen along the cue."""
-    now = game.aim.tip
-    if ready(game) and now is not None:
+    now = game.aim.tip or CENTRE
+    if ready(game):
         _strike_at(game, Tip(now.right, now.up, min(max(float(value), 0.0), STEEPEST)))
 
 
 def _elevation(game: Game) -> float:
-    now = game.aim.tip
-    return (now.elevation or 0.0) if now else 0.0
+    return (game.aim.tip or CENTRE).elevation or 0.0
 
 
 def _strike_at(game: Game, wanted: Tip) -> None:
-    if wanted.away > LIMIT:
+    if not game.aim.hold(wanted.within()):
+        game.warn("power")
+    elif wanted.away > LIMIT:
         game.warn("miscue", error=False)
-    game.aim.hold(wanted.within())
     written(game)
 
 

@@ -157,7 +157,9 @@ class Game:
 
     def _shoot(self) -> None:
         """RETURN in play: one shot for each completed entry; in a match first the next turn."""
-        if self.contest is not None and self.shown_shot and not self.moving:
+        if self.contest is not None and self.moving:
+            self.refuse("moving")
+        elif self.contest is not None and self.shown_shot:
             sitting.show_next(self)
         elif self.aim.complete:
             self.strike()

@@ -41,6 +41,11 @@ def __getattr__(name: str) -> Any:
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
+def __dir__() -> list[str]:
+    """Return what there is to use, loaded or not: a prompt completes names by it."""
+    return sorted(__all__)
+
+
 __all__ = [
     "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning", "Event",
     "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Placed", "Recovered",

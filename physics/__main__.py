@@ -156,6 +156,9 @@ def report(world: World, options: argparse.Namespace) -> None:
     """A line an event."""
     count = len(world.log)
     print(f"{options.name}: {count} events in {world.time:.4f} s, {word(options.engine)}")
+    if not count and world.at_rest:
+        print(f"all balls lie still: python -m physics sweep {options.name} --speed 2 plays a shot")
+        return
     print(f"{'time, s':>9}  {'event':8} {'who':24} speed before -> after, m/s")
     for event in world.log:
         who = ", ".join([*event.balls, *([event.wall] if event.wall else [])])

@@ -31,7 +31,7 @@ _numbers = attrgetter(*NUMBERS)
 
 
 class Outcomes(NamedTuple):
-    """positions (shots, balls, 2) at rest, m; times (shots,) till rest, s; events (shots,)."""
+    """positions (shots, balls, 2) at rest, m; times (shots,) until rest, s; events (shots,)."""
 
     positions: npt.NDArray[np.float64]
     times: npt.NDArray[np.float64]

@@ -83,9 +83,9 @@ class World:
         elif isinstance(thing, Wall):
             self._walls.append(thing)
             self.scene.walls.append(thing.record())
-            self._clock.moved = True
         else:
             raise ValueError(f"a world takes a Ball or a Wall, not {thing!r}")
+        self._clock.moved = True
         self._disturb()
         return thing
 
@@ -327,7 +327,7 @@ class World:
         clock.now = now
 
     def run(self, until: float = inf) -> None:
-        """Let time pass till all balls rest, or till world time `until`, s, that included."""
+        """Let time pass until all balls rest, or until world time `until`, s, that included."""
         self._refuse_laws("run")
         if until != inf:
             until = finite("World.run until", until)

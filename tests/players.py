@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -18,6 +19,7 @@ from game.play import Game
 FRAME = TICKS // 60
 FOLDER = TemporaryDirectory()
 """Where set-ups are saved instead of in the user's folder."""
+atexit.register(FOLDER.cleanup)  # or every worker ends in a traceback of a ResourceWarning
 _LETTERS = [chr(c) for c in range(ord("a"), ord("z") + 1)]
 FREE, SPARE = [c for c in _LETTERS if c not in {b.key for b in DEFAULTS.values()}][:2]
 """Keys that nothing has by default."""

@@ -126,7 +126,7 @@ WORDS = {
     "shelf.shot": "Copy with shot",
     "shelf.paste": "Paste",
     "shelf.delete": "Delete",
-    "shelf.box": "a name to save these balls under, or a line to lay them by",
+    "shelf.box": "a name to save these balls as, or a copied line to place them",
     "shelf.hint": (
         "Arrows choose · Enter takes · Tab box and buttons · PgUp PgDn group · Esc closes"
     ),

@@ -11,6 +11,7 @@ WORDS = {
     "set.law.mathavan": "Mathavan",
     "law.creates": "adds energy",
     "notice.miscue": "Held at the ring: beyond it, a miscue",
+    "notice.power": "Choose the power first",
     "notice.undo": "Nothing to undo",
     "notice.redo": "Nothing to redo",
     "notice.thickness.none": "No ball in the way",

@@ -11,6 +11,7 @@ WORDS = {
     "set.law.mathavan": "마타반",
     "law.creates": "에너지 증가",
     "notice.miscue": "당점을 미스큐 한계에 두었습니다",
+    "notice.power": "세기를 먼저 정하세요",
     "notice.undo": "되돌릴 것이 없습니다",
     "notice.redo": "다시 실행할 것이 없습니다",
     "notice.thickness.none": "맞는 공이 없습니다",

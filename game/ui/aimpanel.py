@@ -100,15 +100,14 @@ def tip_wheel(steps: int, sight: Sight) -> Action:
 
 def power_key(sight: Sight) -> Hashable:
     """What the power bar depends on."""
-    shot = sight.game.aim.shot
-    return shot.speed if shot else None
+    return sight.game.aim.number("speed")
 
 
 def power_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     """Draw the power bar, with more room for slow shots than for fast ones."""
-    w, shot = sight.words, sight.game.aim.shot
-    value = number(shot.speed) if shot else "–"
-    part = share(shot.speed) if shot else 0.0
+    w, speed = sight.words, sight.game.aim.number("speed")
+    value = number(speed) if speed is not None else "–"
+    part = share(speed or 0.0)
     ticks = [(share(v), str(v) if v in NAMED else "") for v in TICKS]
     args = (w["power"], value, w["unit.speed"], part, ticks)
     return gauges.power(surface, rect, sight.type, *args)

@@ -232,8 +232,7 @@ def _hint_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyga
 
 def badge(game: Game, w: dict[str, str]) -> tuple[str, str]:
     """Engine and laws in use, and the table."""
-    own = w.get("table." + game.table)
-    table = own or w["table.scene"].format(name=game.table)
+    table = w.get("table." + game.table) or w["position." + game.table]
     if getattr(game.world.cushion_law, "creates_energy", False):
         table = f"{w['law.creates']} · {table}"
     return f"{w['engine.' + game.engine]} · {w['law.' + game.law]}", table
