@@ -104,8 +104,8 @@ class Batch:
     def __init__(self, world: World, shots: int) -> None:
         import numpy as np
 
-        from physics.batch import start
-        from physics.compiled import kernel, packed
+        from physics.batch.compiled import kernel, packed
+        from physics.batch.many import start
 
         world.plan()
         rows = [start(ball) for ball in world.scene.balls]

@@ -11,14 +11,14 @@ from contextlib import contextmanager
 from io import FileIO
 from pathlib import Path
 
-from physics import files
+from physics import whole_files
 
 MOST = 1 << 24
 """Bytes of the largest file that is read: set-ups are a hundred bytes each."""
 PATIENCE = 2.0
 """Seconds to wait for another game: one that hangs must not hold this one up."""
 
-regular = files.regular
+regular = whole_files.regular
 
 
 def folder(found: Callable[..., Path]) -> Path | None:
@@ -36,7 +36,7 @@ def read(path: Path) -> str:
     FileNotFoundError if there is none; OSError if it is no such file, or cannot be read;
     UnicodeDecodeError if it is no text.
     """
-    real = files.regular(path)
+    real = whole_files.regular(path)
     with real.open("rb") as file:
         data = file.read(MOST + 1)
     if len(data) > MOST:
@@ -46,7 +46,7 @@ def read(path: Path) -> str:
 
 def write(path: Path, text: str) -> None:
     """Put the text there, all of it or nothing; OSError.  A link stays a link."""
-    files.replace(path, text.encode())
+    whole_files.replace(path, text.encode())
 
 
 def set_aside(path: Path) -> None:
@@ -54,11 +54,11 @@ def set_aside(path: Path) -> None:
 
     An older .broken is replaced. If that is a link, the link is: what it leads to is not ours.
     """
-    data = files.regular(path).read_bytes()
+    data = whole_files.regular(path).read_bytes()
     aside = path.with_name(path.name + ".broken")
     if aside.is_symlink():
         aside.unlink()
-    files.replace(aside, data)
+    whole_files.replace(aside, data)
 
 
 def stream(path: str, most: int) -> bytes:
@@ -82,7 +82,7 @@ def stream(path: str, most: int) -> bytes:
 
 def insist_on_room(path: str) -> None:
     """OSError, saying why, unless a file can be begun there; nothing is changed."""
-    real = files.regular(path)
+    real = whole_files.regular(path)
     for place in (real.parent, real) if real.exists() else (real.parent,):
         if not os.access(place, os.W_OK):
             number = errno.EACCES if place.exists() else errno.ENOENT
@@ -95,8 +95,8 @@ def insist_on_room(path: str) -> None:
 def begun(path: str, head: bytes) -> FileIO:
     """Begin a file that grows, over an old one; OSError, also if another game is writing it."""
     insist_on_room(path)
-    files.replace(path, head)
-    file = FileIO(files.regular(path), "ab")
+    whole_files.replace(path, head)
+    file = FileIO(whole_files.regular(path), "ab")
     try:
         _claim(file.fileno())
     except OSError:
@@ -112,7 +112,7 @@ def alone(path: Path) -> Iterator[None]:
     Its folder is made if need be; OSError where that cannot be. Where there are no locks, and when
     another game keeps its lock for longer than PATIENCE, it goes on without.
     """
-    real = files.regular(path)
+    real = whole_files.regular(path)
     real.parent.mkdir(parents=True, exist_ok=True)
     handle = _locked(real)
     try:

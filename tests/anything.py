@@ -29,7 +29,7 @@ from game.match import opponent
 from game.script import parse
 from game.settings import CHOICES
 from physics import EventDriven, TimeStepping
-from physics.stepping import SCHEMES
+from physics.engines.stepping import SCHEMES
 
 SIZES = [(640, 360), (700, 900), (1100, 400)]
 PLAYED = [

@@ -44,7 +44,7 @@ def cases() -> Iterator[tuple[str, World, list[Shot]]]:
 
 def overrun() -> None:
     """A table of outcomes that is too short for its shots is written over its end."""
-    from physics.compiled import kernel, packed
+    from physics.batch.compiled import kernel, packed
 
     world = scenes.carom()
     world.plan()

@@ -6,13 +6,14 @@ from contextlib import contextmanager
 from types import ModuleType
 from typing import Any
 
-from physics import World, engine
+from physics import World
+from physics.engines import exact
 from physics.kernel import calendar, cluster, contact
 
 WATCHED: dict[str, tuple[str, tuple[ModuleType, ...]]] = {
     # counter: (function, where its name is looked up)
-    "events": ("happen", (engine,)),
-    "legs": ("plan_leg", (calendar, engine)),
+    "events": ("happen", (exact,)),
+    "legs": ("plan_leg", (calendar, exact)),
     "contact solves": ("contact_time", (contact, calendar)),
     "pairs met in boxes": ("meeting", (calendar,)),
     "wall solves": ("first_fall", (calendar,)),

@@ -97,7 +97,7 @@ def test_every_law_compiles_to_the_same_bits(ball_law, cushion_law):
 
 @pytest.mark.parametrize("pool", [ThreadPoolExecutor, ProcessPoolExecutor])
 def test_an_executor_changes_nothing_but_who_works(pool, monkeypatch):
-    monkeypatch.setattr("physics.batch.CHUNK", 50)
+    monkeypatch.setattr("physics.batch.many.CHUNK", 50)
     world, shots = scenes.carom(), fan(200)
     alone = simulate_many(world, "white", shots, compiled=True)
     with pool(2) as executor:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from published import CHECKS
 
 from physics import Ball, Cloth, EventDriven, Shot, World, laws, scenes, simulate_many
-from physics.hertz import damping
+from physics.engines.hertz import damping
 
 R = 0.03275
 PAIR = (1.0 + 0j, 0.5 * sqrt(3.0) + 0.5j, 0.5 * sqrt(3.0) - 0.5j)

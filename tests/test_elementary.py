@@ -9,10 +9,10 @@ import mpmath
 import numpy as np
 import pytest
 
-from physics import dual
 from physics.kernel import elementary
 from physics.kernel.elementary import cos, direction, exp, sin
 from physics.shot import heading
+from physics.studies import dual
 
 fifty.kernel()  # sets the digits of mpmath
 CHANCE = random.Random(2007)
@@ -101,7 +101,7 @@ def test_they_compile_to_the_same_bits():
     pytest.importorskip("numba", reason="compiled batches need the extra `fast`")
     import numba
 
-    from physics import compiled
+    from physics.batch import compiled
 
     package = compiled.kernel().elementary
     own = package.exp

@@ -17,7 +17,7 @@ from game.record import RecordError
 from game.recorder import Recorder
 from game.settings import Settings, Store
 from physics import Shot, store
-from physics import files as whole
+from physics import whole_files as whole
 
 LINE = lineup("danggu1 medium white=-0.5,0.0 red1=0.5,0.25")
 CHOSEN = Settings(volume=1)

@@ -23,8 +23,8 @@ from physics import (
     tables,
     trace,
 )
-from physics.batch import simulate_many
-from physics.store import dumps, loads
+from physics.batch.many import simulate_many
+from physics.files.store import dumps, loads
 
 RADIUS, MASS = 0.03075, 0.21
 

@@ -6,8 +6,8 @@ from importlib.util import find_spec
 import pytest
 
 from physics import Ball, Cloth, EventDriven, Shot, World, laws, simulate, tables
-from physics.batch import simulate_many
-from physics.store import dumps, loads
+from physics.batch.many import simulate_many
+from physics.files.store import dumps, loads
 
 RADIUS, MASS = 0.03075, 0.21
 

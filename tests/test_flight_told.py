@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from physics import Ball, Cloth, Shot, World, heights, laws, simulate, tables, trace
-from physics.ledger import ledger, table
+from physics.studies.ledger import ledger, table
 
 RADIUS, MASS = 0.03075, 0.21
 

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 pytest.importorskip("numba", reason="compiled batches need the extra `fast`")
-from physics import Shot, compiled, scenes, simulate_many
+from physics import Shot, scenes, simulate_many
+from physics.batch import compiled
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ import pytest
 pytest.importorskip("numba", reason="compiled batches need the extra `fast`")
 from numba.core import caching, config
 
-from physics import compiled
+from physics.batch import compiled
 from physics.kernel import body
 
 ROOT = Path(__file__).parent.parent

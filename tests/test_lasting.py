@@ -18,7 +18,7 @@ from physics import (
     simulate,
     tables,
 )
-from physics.ledger import ledger
+from physics.studies.ledger import ledger
 
 R = 0.03275
 ICE = Cloth(0.0, 0.0, 0.0)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from physics import Ball, TimeStepping, World, tables
-from physics.literal import per_second
+from physics.engines.literal import per_second
 
 R = tables.THESIS.radius
 DT = 1 / 180

@@ -248,7 +248,7 @@ def test_a_nan_ends_the_hit_instead_of_never():
 
 def test_the_compiled_law_gives_the_same_bits():
     numba = pytest.importorskip("numba")
-    from physics import compiled
+    from physics.batch import compiled
     from physics.kernel.body import rows
 
     package = compiled.kernel().__name__
@@ -261,7 +261,7 @@ def test_the_compiled_law_gives_the_same_bits():
 
 def test_what_compiled_code_alone_can_call_says_so():
     pytest.importorskip("numba")
-    from physics import compiled
+    from physics.batch import compiled
 
     package = compiled.kernel().__name__
     length = importlib.import_module(f"{package}.motion").length

@@ -17,7 +17,7 @@ from game.play import Game, Notice
 from game.preview import rests
 from game.setup import scene_world, table_world
 from physics import EventDriven, Placed, Shot
-from physics.stepping import SCHEMES
+from physics.engines.stepping import SCHEMES
 
 SCRIPT = Path(__file__).parent / "data" / "rack_stop_undo.txt"
 

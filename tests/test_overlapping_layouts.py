@@ -23,7 +23,7 @@ from physics import (
     store,
     tables,
 )
-from physics.stepping import SCHEMES
+from physics.engines.stepping import SCHEMES
 
 ENGINES = [EventDriven(), *(TimeStepping(1 / 180, scheme) for scheme in SCHEMES)]
 

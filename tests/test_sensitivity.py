@@ -20,8 +20,8 @@ from physics import (
     simulate,
     tables,
 )
-from physics.dual import value
-from physics.slopes import ANGLE, SPEED, _Replay
+from physics.studies.dual import value
+from physics.studies.sensitivity import ANGLE, SPEED, _Replay
 
 STEP = "1e-16"  # in 50 digits: truncation and rounding both stay below 1e-20 of the result
 

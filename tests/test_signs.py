@@ -17,19 +17,9 @@ from game.render import gauges, light, turning
 from game.setup import table_world
 from game.text import words
 from game.ui import aimpanel
-from physics import (
-    Ball,
-    CueStroke,
-    Shot,
-    TimeStepping,
-    World,
-    laws,
-    scenes,
-    simulate,
-    sweep,
-    tables,
-)
+from physics import Ball, CueStroke, Shot, TimeStepping, World, laws, scenes, simulate, tables
 from physics.__main__ import main
+from physics.batch import sweep
 from physics.shot import direction
 
 R = tables.MATCH_CAROM.radius

@@ -19,7 +19,7 @@ from physics import (
     simulate,
     tables,
 )
-from physics.naive import Motion, euler, rk4
+from physics.engines.naive import Motion, euler, rk4
 
 R = tables.THESIS.radius
 RESTING = ["thesis", "euler", "rk4", "rk4-located"]  # schemes that come to rest

@@ -25,7 +25,7 @@ from physics import (
     store,
     tables,
 )
-from physics.record import PAGE
+from physics.files.record import PAGE
 
 SHOT = Shot(3.0, 37.0, follow=0.5, side=1.5)
 

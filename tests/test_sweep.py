@@ -17,7 +17,7 @@ from physics import (
     simulate_many,
 )
 from physics.__main__ import main
-from physics.sweep import values
+from physics.batch.sweep import values
 
 
 def rows(text):
@@ -133,15 +133,15 @@ def test_what_cannot_be_swept_is_said(arguments, message, capsys):
 
 def test_a_long_sweep_shows_a_bar(capsys, monkeypatch):
     pytest.importorskip("tqdm")
-    monkeypatch.setattr("physics.sweep.PATIENCE", 0.0)
-    monkeypatch.setattr("physics.batch.CHUNK", 5)
+    monkeypatch.setattr("physics.batch.sweep.PATIENCE", 0.0)
+    monkeypatch.setattr("physics.batch.many.CHUNK", 5)
     monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
     assert main(["sweep", "carom", "--speed", "3", "--angle", "0:19:1"]) == 0
     assert "20.0/20.0" in capsys.readouterr().err
 
 
 def test_without_a_terminal_or_without_tqdm_there_is_no_bar(capsys, monkeypatch):
-    monkeypatch.setattr("physics.sweep.PATIENCE", 0.0)
+    monkeypatch.setattr("physics.batch.sweep.PATIENCE", 0.0)
     main(["sweep", "carom", "--speed", "3"])
     assert capsys.readouterr().err.count("\n") == 1
     monkeypatch.setitem(__import__("sys").modules, "tqdm", None)
@@ -153,7 +153,7 @@ def test_without_a_terminal_or_without_tqdm_there_is_no_bar(capsys, monkeypatch)
 @pytest.mark.parametrize("engine", [EventDriven(), TimeStepping(0.02)])
 @pytest.mark.parametrize("threads", [0, 2])
 def test_a_batch_tells_how_far_it_is(engine, threads, monkeypatch):
-    monkeypatch.setattr("physics.batch.CHUNK", 30)
+    monkeypatch.setattr("physics.batch.many.CHUNK", 30)
     world, told = scenes.carom(), []
     world.engine = engine
     shots = [Shot(3.0, float(k)) for k in range(70)]

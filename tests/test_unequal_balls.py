@@ -24,7 +24,7 @@ from physics import (
     store,
     tables,
 )
-from physics.stepping import SCHEMES
+from physics.engines.stepping import SCHEMES
 
 ICE = Cloth(0.0, 0.0, 0.0)
 SMALL, BIG = 0.02, 0.04

@@ -6,17 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from math import inf
 
-from game.match.rules import (
-    FEW_CUSHIONS,
-    NO_BALL,
-    OFF_TABLE,
-    ONE_BALL,
-    SAME_INSTANT,
-    Turn,
-    Verdict,
-    facts,
-)
-from game.match.stroke import TIE, Event, Stroke, stroke
+from .rules import FEW_CUSHIONS, NO_BALL, OFF_TABLE, ONE_BALL, SAME_INSTANT, Turn, Verdict, facts
+from .stroke import TIE, Event, Stroke, stroke
 
 CANNON, BANK = "cannon", "bank_cannon"
 OPENING_NOT_RED = "opening_not_red"

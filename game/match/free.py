@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from game.match.rules import Turn, Verdict, facts
-from game.match.stroke import Event, stroke
+from .rules import Turn, Verdict, facts
+from .stroke import Event, stroke
 
 FREE = "free"
 

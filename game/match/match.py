@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from game.match.rules import Rules, Turn, Verdict
-from game.match.stroke import Event
+from .rules import Rules, Turn, Verdict
+from .stroke import Event
 
 
 @dataclass(frozen=True, slots=True)

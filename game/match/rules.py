@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Protocol
 
-from game.match.stroke import Event, Stroke
+from .stroke import Event, Stroke
 
 # Reasons that every game shares; each is a key of the texts, as all reasons are.
 OFF_TABLE = "off_table"

@@ -12,10 +12,10 @@ from contextlib import contextmanager, nullcontext
 from math import floor, isfinite, prod
 from typing import TYPE_CHECKING, Any
 
-from .batch import NUMBERS, Outcomes, simulate_many
+from .many import NUMBERS, Outcomes, simulate_many
 
 if TYPE_CHECKING:
-    from .world import World
+    from physics.world import World
 
 MEANING = {
     "speed": "m/s",

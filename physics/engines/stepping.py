@@ -6,15 +6,16 @@ from functools import partial
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
+from physics.checks import keep, nonnegative, positive
+from physics.files.record import planned_data
+from physics.kernel.motion import RESTING, carry
+
 from . import literal, naive
-from .checks import keep, nonnegative, positive
-from .engine import EventBudgetError
-from .kernel.motion import RESTING, carry
+from .exact import EventBudgetError
 from .overlap import contacts, end_phase, launch, mark
-from .record import planned_data
 
 if TYPE_CHECKING:
-    from .world import World
+    from physics.world import World
 
 # (world, time, seconds to the next grid time, number of the grid time)
 Substep = Callable[["World", float, float, int], None]
@@ -63,7 +64,7 @@ class TimeStepping:
 
     scheme: "thesis" moves balls exactly and is only late in noticing contacts; "euler" and "rk4"
     integrate the motion as well; "rk4-located" finds the time of contacts within a step; "literal"
-    is the thesis's printed program, with its own constants and laws (see `physics.literal`).
+    is the thesis's printed program, with its own constants and laws (see `engines.literal`).
     vmin, m/s, and budget as in EventDriven. However time is divided by `World.step`, the grid and
     all that happens on it are the same, bit for bit; between grid times balls are read off their
     legs. ValueError for dt not above zero or an unknown scheme, and for a run to rest that has no

@@ -3,9 +3,9 @@
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
-from .ball import Ball
-from .checks import positive
-from .world import World
+from physics.ball import Ball
+from physics.checks import positive
+from physics.world import World
 
 if TYPE_CHECKING:
     import numpy as np

@@ -8,12 +8,17 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from . import engine, files, laws, stepping
-from .ball import Ball
-from .checks import finite, vector
-from .cloth import Cloth
-from .kernel.body import Body
-from .kernel.motion import altitude, place
+from physics import laws, whole_files
+from physics.ball import Ball
+from physics.checks import finite, vector
+from physics.cloth import Cloth
+from physics.engines import exact, stepping
+from physics.kernel.body import Body
+from physics.kernel.motion import altitude, place
+from physics.shot import Shot
+from physics.wall import Wall
+from physics.world import World
+
 from .record import (
     COMPLEX,
     DISTURBED,
@@ -27,9 +32,6 @@ from .record import (
     shot_data,
     world_data,
 )
-from .shot import Shot
-from .wall import Wall
-from .world import World
 
 NUMBERS = {name: number for number, name in PHASES.items()}
 
@@ -65,7 +67,7 @@ def save(thing: World | Shot, path: str | os.PathLike[str]) -> None:
 
     What is there must be a regular file, or a link to one, which stays a link.
     """
-    files.replace(path, dumps(thing).encode())
+    whole_files.replace(path, dumps(thing).encode())
 
 
 def load(path: str | os.PathLike[str]) -> World | Shot:
@@ -160,7 +162,7 @@ def _world(spot: Spot) -> World:
         _made(Cloth, spot["cloth"]),
         _one_of((laws,), spot["ball_law"]),
         _one_of((laws,), spot["cushion_law"]),
-        _one_of((engine, stepping), spot["engine"]),
+        _one_of((exact, stepping), spot["engine"]),
         spot["discs"].truth(),
     )
     if spot["cluster_law"].value is not None:

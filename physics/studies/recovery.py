@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from math import inf, nan, sqrt
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .checks import array, finite, positive
-from .cloth import Cloth
+from physics.checks import array, finite, positive
+from physics.cloth import Cloth
 
 if TYPE_CHECKING:
     import numpy as np

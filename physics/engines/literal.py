@@ -10,13 +10,14 @@ Constants and laws are its own; walls, radii and masses are the world's.
 from math import sqrt
 from typing import TYPE_CHECKING, Any
 
-from .kernel.calendar import CUSHION, PAIR
-from .kernel.motion import RESTING, SLIDING, length
-from .kernel.tilt import between
+from physics.kernel.calendar import CUSHION, PAIR
+from physics.kernel.motion import RESTING, SLIDING, length
+from physics.kernel.tilt import between
+
 from .overlap import catch_up, kept, mark, note
 
 if TYPE_CHECKING:
-    from .world import World
+    from physics.world import World
 
 WALL_RESTITUTION = 0.9
 WALL_FRICTION = (0.2, 0.5)  # multiplied one after the other

@@ -19,9 +19,9 @@ from threading import Lock
 from types import ModuleType
 from typing import Any
 
-from . import binding
-from .binding import FOLDER, load
-from .kernel.body import Blow, Body, Felt, Line, Rule, Scene, Seat, Tie, no_grid, rows, ties
+from physics import binding
+from physics.binding import FOLDER, load
+from physics.kernel.body import Blow, Body, Felt, Line, Rule, Scene, Seat, Tie, no_grid, rows, ties
 
 log = logging.getLogger("physics")
 _lock = Lock()  # threads may ask at once

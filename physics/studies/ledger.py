@@ -12,8 +12,8 @@ from math import fsum, sqrt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .kernel.motion import AIRBORNE, ROLLING, SLIDING, faded, length
-from .log import Event, Leg, Log, State
+from physics.kernel.motion import AIRBORNE, ROLLING, SLIDING, faded, length
+from physics.log import Event, Leg, Log, State
 
 if TYPE_CHECKING:
     import numpy.typing as npt

@@ -4,14 +4,15 @@ from dataclasses import asdict, is_dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from .ball import NAMES, Ball
-from .kernel.lasting import NEVER
-from .shot import Shot
-from .wall import Wall
+from physics.ball import NAMES, Ball
+from physics.kernel.lasting import NEVER
+from physics.shot import Shot
+from physics.wall import Wall
 
 if TYPE_CHECKING:
-    from .world import World
+    from physics.world import World
 
+HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of what is named
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
 DISTURBED = "disturbed"
 PHASES = NAMES  # in files as elsewhere
@@ -95,7 +96,7 @@ def _pair(z: complex) -> list[float]:
 
 
 def _ours(thing: Any) -> bool:
-    return is_dataclass(thing) and type(thing).__module__.rpartition(".")[0] == __package__
+    return is_dataclass(thing) and type(thing).__module__ in HOMES
 
 
 def _named(thing: Any) -> Data:

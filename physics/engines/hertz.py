@@ -9,20 +9,20 @@ from collections.abc import Sequence
 from math import inf, sqrt
 from typing import TYPE_CHECKING, Any
 
-from .kernel.body import Body, Scene
-from .kernel.calendar import CLUSTER, NOTHING, UNSOLVED, plan_meetings, start_leg
-from .kernel.calendar import happen as happen_quickly
-from .kernel.cluster import closing_speed
-from .kernel.grid import NOBODY, pass_by
-from .kernel.impulses import RUB, ask, slip_between, solve
-from .kernel.lasting import leans
-from .kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
-from .kernel.motion import SLIDING, carry, place
-from .kernel.subset import room
-from .kernel.tilt import between, tilt
+from physics.kernel.body import Body, Scene
+from physics.kernel.calendar import CLUSTER, NOTHING, UNSOLVED, plan_meetings, start_leg
+from physics.kernel.calendar import happen as happen_quickly
+from physics.kernel.cluster import closing_speed
+from physics.kernel.grid import NOBODY, pass_by
+from physics.kernel.impulses import RUB, ask, slip_between, solve
+from physics.kernel.lasting import leans
+from physics.kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
+from physics.kernel.motion import SLIDING, carry, place
+from physics.kernel.subset import room
+from physics.kernel.tilt import between, tilt
 
 if TYPE_CHECKING:
-    from .laws import HertzCluster
+    from physics.laws import HertzCluster
 
 TOLERANCE = 1e-9  # of a step, in units of the overlap and of the greatest speed
 QUIET = 1e-9  # of the greatest closing speed: what closes more slowly is left to the next event

@@ -3,14 +3,14 @@
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from .kernel.body import Scene
-from .kernel.calendar import CUSHION, PAIR, PHASE
-from .kernel.laws import hit_ball, hit_wall
-from .kernel.motion import RESTING, carry, motion, place, settle
-from .kernel.tilt import between
+from physics.kernel.body import Scene
+from physics.kernel.calendar import CUSHION, PAIR, PHASE
+from physics.kernel.laws import hit_ball, hit_wall
+from physics.kernel.motion import RESTING, carry, motion, place, settle
+from physics.kernel.tilt import between
 
 if TYPE_CHECKING:
-    from .world import World
+    from physics.world import World
 
 KEEP = 1 / 2000  # s between legs in the log: every leg of a finer grid would fill the memory
 

@@ -11,11 +11,12 @@ from functools import partial
 from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .kernel.motion import RESTING, ROLLING, faded, motion
+from physics.kernel.motion import RESTING, ROLLING, faded, motion
+
 from .overlap import bring, catch_up, contacts, end_phase, kept, launch, mark, touching
 
 if TYPE_CHECKING:
-    from .world import World
+    from physics.world import World
 
 HALVINGS = 50  # of a step: to the last digits of the time of contact
 

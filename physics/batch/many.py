@@ -9,14 +9,14 @@ from math import inf
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .ball import Ball
-from .checks import LARGEST, array
-from .engine import EventDriven
-from .kernel import body, calendar, elementary
-from .laws import ForeignRule
-from .shot import Shot
-from .simulation import simulate
-from .world import World
+from physics.ball import Ball
+from physics.checks import LARGEST, array
+from physics.engines.exact import EventDriven
+from physics.kernel import body, calendar, elementary
+from physics.laws import ForeignRule
+from physics.shot import Shot
+from physics.simulation import simulate
+from physics.world import World
 
 if TYPE_CHECKING:
     import numpy as np

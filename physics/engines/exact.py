@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
-from .checks import keep, nonnegative, positive
-from .kernel.calendar import (
+from physics.checks import keep, nonnegative, positive
+from physics.kernel.calendar import (
     LASTING,
     PAIR,
     UNSOLVED,
@@ -15,11 +15,11 @@ from .kernel.calendar import (
     soonest,
     start_leg,
 )
-from .kernel.grid import locate
-from .kernel.impulses import WALL
+from physics.kernel.grid import locate
+from physics.kernel.impulses import WALL
 
 if TYPE_CHECKING:
-    from .world import World
+    from physics.world import World
 
 
 class Engine(Protocol):
@@ -141,7 +141,7 @@ def _springs(i: int, scene: Any, law: Any) -> Any:
 
 
 def _scene(world: "World", budget: int) -> Any:
-    from .record import planned_data
+    from physics.files.record import planned_data
 
     return planned_data(world, budget)
 

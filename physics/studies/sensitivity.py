@@ -1,8 +1,8 @@
 """How much an outcome depends on the shot: exact derivatives through every event.
 
 The shot is played once with plain numbers; then its events are gone through again with numbers that
-carry derivatives (`physics.dual`), by the same kernel. Between events that is the tangent of a
-polynomial; the moment of a contact moves by the implicit function theorem, and a collision is
+carry derivatives (`physics.studies.dual`), by the same kernel. Between events that is the tangent
+of a polynomial; the moment of a contact moves by the implicit function theorem, and a collision is
 differentiated as it is written, on the branch (sticking or slipping) that it took.
 """
 
@@ -13,17 +13,18 @@ from itertools import groupby
 from math import nan, pi
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .ball import Ball
-from .checks import nonnegative, vector
+from physics.ball import Ball
+from physics.checks import nonnegative, vector
+from physics.engines.exact import EventDriven
+from physics.kernel.calendar import CUSHION, PAIR, PHASE
+from physics.kernel.impulses import WALL
+from physics.kernel.motion import AIRBORNE, RESTING
+from physics.log import Event
+from physics.shot import Shot, direction
+from physics.simulation import simulate
+from physics.world import World
+
 from .dual import Dual, kernel, slope, value
-from .engine import EventDriven
-from .kernel.calendar import CUSHION, PAIR, PHASE
-from .kernel.impulses import WALL
-from .kernel.motion import AIRBORNE, RESTING
-from .log import Event
-from .shot import Shot, direction
-from .simulation import simulate
-from .world import World
 
 if TYPE_CHECKING:
     import numpy as np

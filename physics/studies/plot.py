@@ -7,10 +7,11 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .log import Event
+from physics.log import Event
+from physics.wall import Wall
+from physics.world import World
+
 from .trace import trace
-from .wall import Wall
-from .world import World
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

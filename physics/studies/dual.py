@@ -12,9 +12,9 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
-from .binding import load
-from .kernel import elementary
-from .kernel import subset as plain
+from physics.binding import load
+from physics.kernel import elementary
+from physics.kernel import subset as plain
 
 NAME = "physics.dual_kernel"
 SLOPES: dict[str, Callable[[float, Any], Any]] = {  # of the elementary functions, at x and f(x)
