@@ -10,14 +10,14 @@ from dataclasses import dataclass, field
 from math import dist
 from typing import TYPE_CHECKING, NamedTuple
 
+from danggu.players.levels import Level
+from danggu.rules.match import Match
+from danggu.rules.verdict import Verdict
 from physics import heading
 
 from . import balls, playhead
 from .aim import plain
 from .fixture import FREE, HUMAN, SKILLS, START, Fixture
-from .match.match import Match
-from .match.rules import Verdict
-from .match.skill import Level
 from .preview import Outcome
 
 if TYPE_CHECKING:

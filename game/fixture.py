@@ -7,20 +7,21 @@ import re
 from dataclasses import asdict, dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
+from danggu.players.levels import LEVELS, Level
+from danggu.players.positions import SAGU, THREE_CUSHION, opening
+from danggu.rules import GAMES as RULES
+from danggu.rules import carom, sagu
+from danggu.rules.match import Match, Player
+from danggu.rules.verdict import Rules
 from physics import Ball, World
 
 from . import setup
-from .match import carom, sagu
-from .match.match import Match, Player
-from .match.positions import SAGU, THREE_CUSHION, opening
-from .match.rules import Rules
-from .match.skill import LEVELS, Level
 
 if TYPE_CHECKING:
     from .options import Options
 
 FREE, FOUR_BALL = "free", "four-ball"
-GAMES = (FREE, FOUR_BALL, "three-cushion")
+GAMES = (*RULES,)
 KEYS = {FOUR_BALL: SAGU, "three-cushion": THREE_CUSHION}
 """What the rules call the games."""
 TABLES = {FREE: "medium", FOUR_BALL: "medium", "three-cushion": "match"}

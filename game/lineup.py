@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import TYPE_CHECKING
 
+from danggu.players.positions import SAGU, SHELF, Position, opening
 from physics import Ball, EventDriven, World
 
 from . import setup
 from .aim import BOXES, fault
-from .match.positions import SAGU, SHELF, Position, opening
 from .text import words
 
 if TYPE_CHECKING:

@@ -9,6 +9,7 @@ from functools import partial
 from math import hypot
 from typing import ClassVar, NamedTuple
 
+from danggu.rules.stroke import stroke
 from physics import Cloth, Placed, State, World, laws
 
 from . import aiming, balls, choices, contest, playhead, setup, sitting
@@ -16,7 +17,6 @@ from .actions import Action
 from .aim import Aim
 from .clock import TICKS, seconds, shares
 from .history import History, moment
-from .match.stroke import stroke
 from .playhead import Playhead
 from .preview import NO_STORY, Preview, Story, forecast, preview
 

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from math import ceil, isfinite
 from typing import TYPE_CHECKING
 
+from danggu.rules.stroke import counts
 from physics import Event
 
 from .clock import TICKS, seconds
-from .match.stroke import counts
 from .preview import GLIMPSE, rests
 
 if TYPE_CHECKING:

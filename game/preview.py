@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from math import ceil, degrees, sqrt
 from typing import NamedTuple
 
+from danggu.rules.stroke import counts
 from physics import Leg, Log, Shot, State, World, simulate
-
-from .match.stroke import counts
 
 FAILS = (ArithmeticError, RuntimeError, ValueError)
 """What an engine raises when it cannot go on: no reason for a game to end."""

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from random import Random
 from typing import TYPE_CHECKING, NamedTuple
 
+from danggu.rules.stroke import counts
 from physics import Log, Shot, World, simulate
 
-from .match.stroke import counts
 from .preview import Place, foretold, path
 from .tip import LEVER
 

@@ -11,13 +11,13 @@ from itertools import count
 from random import Random
 from time import perf_counter
 
+from danggu.players.opponent import Opponent
+from danggu.rules.match import Match
 from physics import EventDriven, Shot
 
 from .actions import Action
 from .aim import BOXES, plain
 from .clock import TICKS
-from .match.match import Match
-from .match.opponent import Opponent
 from .play import Game
 
 BUDGET = 0.009

@@ -17,6 +17,7 @@ from unittest.mock import patch
 import pygame
 from players import FRAME, an_app, assert_same_as_anew
 
+from danggu.players import opponent
 from game import lineup, setup
 from game.actions import Action
 from game.aim import Aim
@@ -25,7 +26,6 @@ from game.choices import LANGUAGES
 from game.clock import TICKS
 from game.fixture import GAMES, SEATS, Fixture, Seat
 from game.keys import NAMES
-from game.match import opponent
 from game.script import parse
 from game.settings import CHOICES
 from physics import EventDriven, TimeStepping

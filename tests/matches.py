@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from players import click
 
+from danggu.players.positions import opening
 from game.app import App
-from game.match.positions import opening
 from game.ui import menuview, plates
 
 

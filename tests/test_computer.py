@@ -16,9 +16,9 @@ from players import (
     write,
 )
 
+from danggu.players import opponent
 from game import thinker
 from game.actions import Action
-from game.match import opponent
 from game.ui import plates
 
 

@@ -5,14 +5,15 @@ from dataclasses import replace
 
 import pytest
 
+from danggu.players.positions import opening
+from danggu.rules import carom, free, sagu
+from danggu.rules import verdict as verdicts
+from danggu.rules.verdict import Verdict
 from game import fixture, options, setup
 from game.__main__ import new_game
 from game.actions import Action
 from game.contest import Contest
 from game.fixture import FOUR_BALL, Fixture, Seat
-from game.match import carom, free, rules, sagu
-from game.match.positions import opening
-from game.match.rules import Verdict
 from game.play import Game, Notice
 from game.text import LANGUAGES, words
 from game.ui.plates import reason
@@ -251,7 +252,7 @@ def test_another_table_or_a_set_up_ends_the_match():
 
 
 REASONS = [
-    *(value for name, value in vars(rules).items() if name.isupper() and isinstance(value, str)),
+    *(value for name, value in vars(verdicts).items() if name.isupper() and isinstance(value, str)),
     *(sagu.BOTH_REDS, sagu.BOTH_REDS_3C, sagu.ONE_RED, sagu.NO_RED, sagu.OPPONENT_BALL),
     *(carom.CANNON, carom.BANK, carom.OPENING_NOT_RED, free.FREE),
 ]
@@ -260,7 +261,7 @@ REASONS = [
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("why", REASONS)
 def test_every_reason_is_said_in_both_languages_with_its_number(why, language):
-    said = reason(Verdict(why, facts=rules.Facts(cushions=2)), words(language))
+    said = reason(Verdict(why, facts=verdicts.Facts(cushions=2)), words(language))
     assert said
     assert "{" not in said
 

@@ -8,11 +8,11 @@ from random import Random
 import pytest
 from referee import watched
 
+from danggu.rules.carom import Carom
+from danggu.rules.stroke import LEFT, stroke
+from danggu.rules.verdict import Turn, Verdict
 from game.actions import Action
 from game.clock import TICKS
-from game.match.carom import Carom
-from game.match.rules import Turn, Verdict
-from game.match.stroke import LEFT, stroke
 from game.play import Game
 from physics import Ball, EventDriven, Shot, TimeStepping, World, laws, simulate, tables
 

@@ -5,10 +5,10 @@ from event_log import EAST, NORTH, R1, R2, RED, SOUTH, WEST, YELLOW, Entry, log
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.match.carom import Carom
-from game.match.match import Match, Player
-from game.match.rules import Turn, Verdict
-from game.match.sagu import EXTRA_3C, LAST_POINT_3C, NONE, Sagu
+from danggu.rules.carom import Carom
+from danggu.rules.match import Match, Player
+from danggu.rules.sagu import EXTRA_3C, LAST_POINT_3C, NONE, Sagu
+from danggu.rules.verdict import Turn, Verdict
 
 # Whole games
 

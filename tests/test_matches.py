@@ -6,8 +6,8 @@ import pygame
 from matches import choose, menu_button, opening_numbers, scores, told
 from players import FRAME, an_app, assert_same_as_anew, click, enter, press, run_to_rest
 
+from danggu.players.positions import opening
 from game.actions import Action
-from game.match.positions import opening
 from game.render.gauges import tip_circle
 from game.text import words
 from game.ui import panels, plates, prompts

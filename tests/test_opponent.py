@@ -8,13 +8,13 @@ from statistics import fmean, pstdev
 
 import pytest
 
-from game.match.carom import Carom
-from game.match.match import Match, Player
-from game.match.opponent import FRESH, Intent, Opponent
-from game.match.positions import SAGU, SHELF, Position, opening
-from game.match.rules import Verdict
-from game.match.sagu import Sagu
-from game.match.skill import CLUB, EXPERT, LEVELS, MASTER, MISCUE, NOVICE, PERFECT, Aim, Level
+from danggu.players.levels import CLUB, EXPERT, LEVELS, MASTER, MISCUE, NOVICE, PERFECT, Aim, Level
+from danggu.players.opponent import FRESH, Intent, Opponent
+from danggu.players.positions import SAGU, SHELF, Position, opening
+from danggu.rules.carom import Carom
+from danggu.rules.match import Match, Player
+from danggu.rules.sagu import Sagu
+from danggu.rules.verdict import Verdict
 from physics import Ball, Shot, World, simulate, tables
 
 RADIUS = 0.03275

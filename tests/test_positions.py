@@ -5,11 +5,11 @@ from math import dist
 
 import pytest
 
-from game.match.carom import Carom
-from game.match.positions import SAGU, SHELF, THREE_CUSHION, Position, opening, spotted
-from game.match.rules import Turn
-from game.match.sagu import Sagu
-from game.match.skill import Aim
+from danggu.players.levels import Aim
+from danggu.players.positions import SAGU, SHELF, THREE_CUSHION, Position, opening, spotted
+from danggu.rules.carom import Carom
+from danggu.rules.sagu import Sagu
+from danggu.rules.verdict import Turn
 from physics import Ball, simulate, tables
 
 TABLES = [(2.448, 1.27, 0.03275), (2.54, 1.27, 0.03275), (2.84, 1.42, 0.03075)]

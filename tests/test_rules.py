@@ -5,12 +5,12 @@ from typing import NamedTuple
 import pytest
 from event_log import BEAT, EAST, NORTH, R1, R2, RED, SOUTH, WEST, YELLOW, entry, log
 
-from game.match.carom import Carom
-from game.match.free import Free
-from game.match.match import Match, Player
-from game.match.rules import Turn, Verdict
-from game.match.sagu import EXTRA_3C, LAST_POINT_3C, Sagu
-from game.match.stroke import LEFT, TIE
+from danggu.rules.carom import Carom
+from danggu.rules.free import Free
+from danggu.rules.match import Match, Player
+from danggu.rules.sagu import EXTRA_3C, LAST_POINT_3C, Sagu
+from danggu.rules.stroke import LEFT, TIE
+from danggu.rules.verdict import Turn, Verdict
 from physics import Shot, scenes, simulate
 
 

@@ -17,13 +17,13 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 
 import pygame
 
+from danggu.players.positions import SHELF, Answer
 from game import options, setup
 from game.__main__ import new_game
 from game.actions import Action
 from game.aim import BOXES, START
 from game.app import App
 from game.clock import TICKS
-from game.match.positions import SHELF, Answer
 from game.play import Game
 from game.render import theme
 

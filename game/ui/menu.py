@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import pygame
 
+from danggu.rules.sagu import FINISHES
 from game import editing, setup
 from game.actions import Action, character
 from game.fixture import (
@@ -24,7 +25,6 @@ from game.fixture import (
     Fixture,
     Seat,
 )
-from game.match.sagu import FINISHES
 from game.numerals import typed
 from game.play import Game
 from game.render import textline

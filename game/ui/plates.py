@@ -6,9 +6,9 @@ from collections.abc import Hashable
 
 import pygame
 
+from danggu.rules.sagu import LAST_POINT_3C
+from danggu.rules.verdict import Verdict
 from game.contest import Contest
-from game.match.rules import Verdict
-from game.match.sagu import LAST_POINT_3C
 from game.render import cards
 from game.render.theme import ACCENT, ERROR, GOOD, TEXT, TEXT_SOFT, Colour
 

@@ -1,20 +1,20 @@
 """Print an answer for every position of the shelf: run it when laws or tables have changed.
 
-python tools/shelf.py [KEY ...]      half a minute each
+python tools/shelf_answers.py [KEY ...]      half a minute each
 """
 
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from game.match.carom import Carom
-from game.match.match import Match, Player
-from game.match.opponent import Opponent
-from game.match.positions import SAGU, SHELF, THREE_CUSHION, Position, opening
-from game.match.rules import Rules, Turn, Verdict
-from game.match.sagu import Sagu
-from game.match.skill import EXPERT, Level
-from game.match.stroke import Event
+from danggu.players.levels import EXPERT, Level
+from danggu.players.opponent import Opponent
+from danggu.players.positions import SAGU, SHELF, THREE_CUSHION, Position, opening
+from danggu.rules.carom import Carom
+from danggu.rules.match import Match, Player
+from danggu.rules.sagu import Sagu
+from danggu.rules.stroke import Event
+from danggu.rules.verdict import Rules, Turn, Verdict
 from physics import Ball, World, tables
 
 EFFORT = 30_000

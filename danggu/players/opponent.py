@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 from random import Random
 from time import perf_counter
 
+from danggu.rules.match import Match
+from danggu.rules.verdict import NO_BALL, Verdict
 from physics import Shot, World, simulate
 
 from .candidates import CUSHIONS, DIRECT, aims
-from .match import Match
-from .rules import NO_BALL, Verdict
-from .skill import Aim, Level
+from .levels import Aim, Level
 
 EFFORT = 4000  # aims tried at most before it plays the best it has
 ENOUGH = 60  # scoring aims after which it stops looking and starts comparing

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .rules import FEW_CUSHIONS, OFF_TABLE, SAME_INSTANT, Facts, Turn, Verdict, facts
 from .stroke import Event, Stroke, stroke
+from .verdict import FEW_CUSHIONS, OFF_TABLE, SAME_INSTANT, Facts, Turn, Verdict, facts
 
 NONE, LAST_POINT_3C, EXTRA_3C = "none", "last_point_3c", "extra_3c"
 FINISHES = (NONE, LAST_POINT_3C, EXTRA_3C)

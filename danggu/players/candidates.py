@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import asin, atan2, cos, degrees, dist, exp, log, sin, sqrt, tau
 from random import Random
 
-from .skill import Aim
+from .levels import Aim
 
 Place = tuple[float, float]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .rules import Turn, Verdict, facts
 from .stroke import Event, stroke
+from .verdict import Turn, Verdict, facts
 
 FREE = "free"
 

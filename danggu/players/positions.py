@@ -27,7 +27,7 @@ class Position:
     way: what the cue ball meets when it is played as the name says.
     answer: a stroke that goes this way on the game's own table (medium for 4-ball, match for
     three-cushion): direction in degrees, speed in m/s, tip right and up in radii of the ball.
-    `tools/shelf.py` finds it, the tests play it.
+    `tools/shelf_answers.py` finds it, the tests play it.
     """
 
     key: str

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from .rules import Rules, Turn, Verdict
 from .stroke import Event
+from .verdict import Rules, Turn, Verdict
 
 
 @dataclass(frozen=True, slots=True)
