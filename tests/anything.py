@@ -18,16 +18,16 @@ import pygame
 from players import FRAME, an_app, assert_same_as_anew
 
 from danggu.players import opponent
-from game import lineup, setup
-from game.actions import Action
-from game.aim import Aim
+from game.aim.entry import Aim
 from game.app import App
-from game.choices import LANGUAGES
-from game.clock import TICKS
-from game.fixture import GAMES, SEATS, Fixture, Seat
-from game.keys import NAMES
-from game.script import parse
-from game.settings import CHOICES
+from game.input.bindings import NAMES
+from game.replay.script import parse
+from game.session.action import Action
+from game.session.equipment import LANGUAGES
+from game.session.terms import GAMES, SEATS, Fixture, Seat
+from game.session.ticks import TICKS
+from game.settings.settings import CHOICES
+from game.table import lineup, presets
 from physics import EventDriven, TimeStepping
 from physics.engines.stepping import SCHEMES
 
@@ -73,7 +73,7 @@ def engines(scheme: str, jumps: bool = False) -> Iterator[None]:
     # it must not think longer than the test has time for
     quick = patch.object(opponent, "ROUNDS", ((2, 2), (2, 1)))
     shot = property(jumping if jumps else flat)
-    with patch.dict(setup.ENGINES, kinds), patch.object(Aim, "shot", shot), quick:
+    with patch.dict(presets.ENGINES, kinds), patch.object(Aim, "shot", shot), quick:
         yield
 
 
@@ -137,7 +137,7 @@ class Anybody:
             "thick": rng.randrange(-7, 8), "thicker": rng.choice((1, -1)),
             "scrub": rng.randrange(0, 12 * TICKS), "event": rng.choice((1, -1)),
             "faster": rng.choice((1, -1, 3)), "hold": rng.choice(names), "move": pair,
-            "law": rng.choice(tuple(setup.LAWS)), "cloth": rng.choice(tuple(setup.CLOTHS)),
+            "law": rng.choice(tuple(presets.LAWS)), "cloth": rng.choice(tuple(presets.CLOTHS)),
             "language": rng.choice(tuple(LANGUAGES)), "aids": rng.choice(CHOICES["aids"]),
             "sheet": rng.choice(("menu", "shelf", "rules", "settings", "")),
         }  # fmt: skip
@@ -155,8 +155,8 @@ class Anybody:
         seats = tuple(Seat("", rng.choice(SEATS), rng.randrange(1, 4)) for _ in range(2))
         fixture = Fixture(rng.choice(GAMES), seats)
         return rng.choice((
-            Action("table", rng.choice(tuple(setup.TABLES))),
-            Action("scene", rng.choice(tuple(setup.SCENES))),
+            Action("table", rng.choice(tuple(presets.TABLES))),
+            Action("scene", rng.choice(tuple(presets.SCENES))),
             Action("match", fixture.line()),
         ))  # fmt: skip
 
@@ -239,7 +239,7 @@ def _let_time_pass(app: App, somebody: Anybody, *, drawn: bool) -> None:
 
 PLACES: list[dict[str, str]] = [
     {"table": "medium"}, {"table": "match"}, {"table": "thesis"},
-    *({"scene": name} for name in setup.SCENES),
+    *({"scene": name} for name in presets.SCENES),
     {"game": "four-ball", "handicap": "2", "table": "medium"},
     {"game": "three-cushion", "table": "match"},
     {"game": "four-ball", "level": "club", "handicap": "3", "table": "medium"},

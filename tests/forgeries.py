@@ -7,7 +7,7 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
-from game.values import VALUES
+from game.session.values import VALUES
 
 LINE = "danggu1 medium white=0,0 red1=0.1,0.1 shot=5,0,0,0,45"
 FOUR = '{"game":"four-ball"}'

@@ -6,13 +6,14 @@ from players import click
 
 from danggu.players.positions import opening
 from game.app import App
-from game.ui import menuview, plates
+from game.ui.pages import menu_view
+from game.ui.panels import score_plates
 
 
 def told(app: App) -> tuple[str, str, str]:
     """What the result card says."""
     contest = app.game.contest
-    return plates.result(contest, contest.verdict, app.view.sight)[:3]
+    return score_plates.result(contest, contest.verdict, app.view.sight)[:3]
 
 
 def scores(app: App) -> list[int]:
@@ -30,12 +31,12 @@ def choose(app: App, name: str, step: int = 1, times: int = 1) -> None:
     """Click the arrow of a row in the open menu."""
     sheet, layout = app.view.sheet, app.view.sight.layout
     place = next(i for i, row in enumerate(sheet.rows) if row.name == name)
-    arrow = menuview.arrows(menuview.row_rect(sheet.rows, place, layout), layout)[step > 0]
+    arrow = menu_view.arrows(menu_view.row_rect(sheet.rows, place, layout), layout)[step > 0]
     for _ in range(times):
         click(app, arrow.center)
 
 
 def menu_button(app: App, name: str) -> tuple[int, int]:
     """Where a button of the menu is."""
-    place = menuview.BUTTONS.index(name)
-    return menuview.button_rects(app.view.sight.layout)[place].center
+    place = menu_view.BUTTONS.index(name)
+    return menu_view.button_rects(app.view.sight.layout)[place].center

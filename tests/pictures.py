@@ -10,8 +10,8 @@ import numpy as np
 import pygame
 
 from game.render import theme
-from game.render.balls import BallSprites
 from game.render.layout import Layout
+from game.render.table.balls import BallSprites
 
 SIZES = [
     (960, 540),

@@ -10,10 +10,10 @@ import pygame
 
 from game.__main__ import new_game
 from game.app import App
-from game.clock import TICKS
-from game.keys import DEFAULTS
+from game.input.bindings import DEFAULTS
 from game.options import Options
-from game.play import Game
+from game.session.session import Game
+from game.session.ticks import TICKS
 
 FRAME = TICKS // 60
 FOLDER = TemporaryDirectory()

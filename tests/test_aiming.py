@@ -9,13 +9,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from players import FRAME, an_app, assert_same_as_anew, click, enter, press, write
 
-from game.actions import Action
-from game.aiming import share, speed_at
-from game.fixture import Fixture
-from game.preview import preview
-from game.render import cuecard, gauges
-from game.tip import LIMIT, Tip, tip_of
-from game.ui.grasp import TRAVEL, pull
+from game.aim.edit import share, speed_at
+from game.aim.preview import preview
+from game.aim.tip import LIMIT, Tip, tip_of
+from game.render.parts import cue_card, gauges
+from game.session.action import Action
+from game.session.terms import Fixture
+from game.ui.table.drag_aim import TRAVEL, pull
 from physics import Ball, CueStroke, Shot, tables
 
 
@@ -124,7 +124,7 @@ def test_dragging_the_point_of_the_picker_writes_what_is_under_the_mouse(app):
 
 def test_the_cue_in_the_side_view_is_raised_by_dragging_its_end(app):
     layout = app.view.sight.layout
-    x, y = cuecard.side_ball(layout.tip, layout.s)
+    x, y = cue_card.side_ball(layout.tip, layout.s)
     reach = 45 * layout.s
     click(app, (x + reach, y), (x + reach * cos(radians(40)), y - reach * sin(radians(40))))
     assert app.game.aim.tip.elevation == pytest.approx(40, abs=2)
@@ -302,7 +302,7 @@ def test_without_a_ball_in_the_way_there_is_no_thickness_to_choose(app):
 def test_the_selector_on_the_card_chooses_the_aids(app):
     sight = app.view.sight
     names = [sight.words[f"aids.{key}"] for key in ("off", "short", "full")]
-    boxes = cuecard.choice_boxes(sight.layout.tip, sight.type, names)
+    boxes = cue_card.choice_boxes(sight.layout.tip, sight.type, names)
     for key, box in zip(("off", "short", "full"), boxes, strict=True):
         click(app, box.center)
         assert sight.settings.aids == key

@@ -8,14 +8,14 @@ import pygame
 import pytest
 from players import FRAME, press, run_to_rest
 
-from game import audio, hearing, synth
 from game.__main__ import new_game
-from game.actions import Action
 from game.app import App
-from game.audio import Audio, sides
-from game.hearing import SILENCE, Ear, Heard, Sound
 from game.options import Options
-from game.setup import scene_world, table_world
+from game.session.action import Action
+from game.sound import audio, hearing, synth
+from game.sound.audio import Audio, sides
+from game.sound.hearing import SILENCE, Ear, Heard, Sound
+from game.table.presets import scene_world, table_world
 from game.ui.view import View
 from physics import Shot
 

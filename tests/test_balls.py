@@ -9,12 +9,10 @@ import pygame
 import pytest
 from pictures import pixels, sprites
 
-from game.render import (
-    theme,
-    turning,
-)
-from game.render.balls import BallSprites
+from game.render import theme
 from game.render.layout import Layout
+from game.render.table import turning
+from game.render.table.balls import BallSprites
 
 
 def picture(ball: BallSprites, index: int = 0) -> bytes:

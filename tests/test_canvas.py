@@ -4,9 +4,9 @@ import pygame
 import pytest
 from players import FRAME, an_app, assert_same_as_anew, in_window, press, run_to_rest
 
-from game.canvas import LEAST, SHAPE, Canvas
 from game.render.layout import Layout
 from game.render.theme import BACKGROUND
+from game.window.canvas import LEAST, SHAPE, Canvas
 
 SMALL = [(640, 360), (800, 450), (959, 540), (960, 539), (700, 900), (1200, 300), (320, 180)]
 ODD = [(1, 1), (200, 16384), (16384, 200), (3, 700)]

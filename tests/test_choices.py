@@ -3,9 +3,10 @@
 import pytest
 from players import FRAME, FREE, SPARE, an_app, pixels, press
 
-from game import keys, setup
-from game.actions import Action
-from game.keys import DEFAULTS, Keys
+from game.input import bindings
+from game.input.bindings import DEFAULTS, Keys
+from game.session.action import Action
+from game.table import presets
 
 # -- keys ----------------------------------------------------------------------------------------
 
@@ -13,7 +14,7 @@ from game.keys import DEFAULTS, Keys
 def test_no_two_actions_have_the_same_key_and_none_types_into_boxes_from_play():
     names = [binding.key for binding in DEFAULTS.values()]
     assert len(set(names)) == len(names)
-    assert not [name for name, b in DEFAULTS.items() if keys.refused(name, b.key)]
+    assert not [name for name, b in DEFAULTS.items() if bindings.refused(name, b.key)]
 
 
 @pytest.mark.parametrize(
@@ -34,11 +35,11 @@ def test_letters_that_type_are_free_in_play_but_not_for_keys_that_work_in_boxes(
 
 def test_keys_in_a_file_may_be_swapped_but_not_doubled():
     swapped = {"pause": "space", "stop": "p"}
-    assert keys.sound(swapped) == (swapped, [])
-    assert keys.sound({"pause": "r"}) == ({}, ["pause"])
-    good, bad = keys.sound({"pause": FREE, "stop": FREE})
+    assert bindings.sound(swapped) == (swapped, [])
+    assert bindings.sound({"pause": "r"}) == ({}, ["pause"])
+    good, bad = bindings.sound({"pause": FREE, "stop": FREE})
     assert len(good) == len(bad) == 1
-    assert keys.sound({"pause": "3", "dance": FREE, "stop": 5, "retry": SPARE}) == (
+    assert bindings.sound({"pause": "3", "dance": FREE, "stop": 5, "retry": SPARE}) == (
         {"retry": SPARE},
         ["pause", "dance", "stop"],
     )
@@ -113,9 +114,9 @@ def test_another_table_is_laid_with_its_own_cloth_and_laws():
     app.frame(FRAME)
     assert [ball.name for ball in app.game.world.balls] == ["white", "yellow", "red"]
     assert (app.game.cloth, app.game.law, app.game.engine) == ("table", "rigid", "thesis")
-    assert app.game.world.engine == setup.ENGINES["thesis"]()
+    assert app.game.world.engine == presets.ENGINES["thesis"]()
     assert app.preferences.settings.law == "table"
-    assert app.view.sight.layout.length == setup.TABLES["match"].length
+    assert app.view.sight.layout.length == presets.TABLES["match"].length
 
 
 def test_a_cloth_is_the_one_that_was_chosen_and_the_tables_own_comes_back():

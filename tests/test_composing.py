@@ -7,7 +7,7 @@ import pygame
 import pytest
 from players import FRAME, an_app, assert_same_as_anew, click, pixels, press
 
-from game.ui import menuview, shelfview
+from game.ui.pages import menu_view, shelf_view
 
 CASES = json.loads((Path(__file__).parent / "data" / "composing.json").read_text("utf-8"))
 KINDS = {"edit": pygame.TEXTEDITING, "text": pygame.TEXTINPUT}
@@ -119,7 +119,7 @@ def test_a_click_elsewhere_keeps_the_syllable_where_it_was_composed(monkeypatch)
     monkeypatch.setattr(pygame.key, "stop_text_input", lambda: calls.append("stop"))
     send(app, "edit", "김")
     names = [place for place, row in enumerate(menu.rows) if row.name == "name"]
-    click(app, menuview.row_rect(menu.rows, names[1], app.view.sight.layout).center)
+    click(app, menu_view.row_rect(menu.rows, names[1], app.view.sight.layout).center)
     assert calls == ["stop", "start"]  # the input method has to be told to begin again
     send(app, "text", "김")
     send(app, "edit", "이")
@@ -160,7 +160,7 @@ def test_the_box_of_the_shelf_shows_its_place_when_it_is_clicked():
     app = an_app(size=(1280, 720))
     shelf = to_shelf(app)
     send(app, "text", "12345")
-    window = shelfview.text_window(app.view.sight)
+    window = shelf_view.text_window(app.view.sight)
     click(app, (window.x + app.view.sight.type.width("12", 13), window.centery))
     send(app, "text", "x")
     assert shelf.text == "12x345"

@@ -17,9 +17,9 @@ from players import (
 )
 
 from danggu.players import opponent
-from game import thinker
-from game.actions import Action
-from game.ui import plates
+from game.computer import thinker
+from game.session.action import Action
+from game.ui.panels import score_plates
 
 
 @pytest.fixture
@@ -55,7 +55,7 @@ def test_the_computer_shows_what_it_intends_and_plays_it(quick):
     until(app, lambda: not game.shown_shot)
     until(app, lambda: game.contest.share is not None and not game.contest.thinking)
     intended = list(game.aim.texts)
-    assert "expected" in plates._line(app.view.sight, game.contest, 1)[0]
+    assert "expected" in score_plates._line(app.view.sight, game.contest, 1)[0]
     assert_same_as_anew(app)
     until(app, lambda: game.shots > shots)
     assert game.shooter == "yellow"

@@ -9,14 +9,16 @@ from danggu.players.positions import opening
 from danggu.rules import carom, free, sagu
 from danggu.rules import verdict as verdicts
 from danggu.rules.verdict import Verdict
-from game import fixture, options, setup
+from game import options
 from game.__main__ import new_game
-from game.actions import Action
-from game.contest import Contest
-from game.fixture import FOUR_BALL, Fixture, Seat
-from game.play import Game, Notice
+from game.session import terms
+from game.session.action import Action
+from game.session.running_match import Contest
+from game.session.session import Game, Notice
+from game.session.terms import FOUR_BALL, Fixture, Seat
+from game.table import presets
 from game.text import LANGUAGES, words
-from game.ui.plates import reason
+from game.ui.panels.score_plates import reason
 
 TWO = (Seat("Ann"), Seat("Bo"))
 ONE_POINT = (Seat("Ann", target=1), Seat("Bo", target=3))
@@ -24,7 +26,7 @@ ONE_POINT = (Seat("Ann", target=1), Seat("Bo", target=3))
 
 def a_match(game=FOUR_BALL, seats=TWO, **rules):
     table = "match" if game == "three-cushion" else "medium"
-    found = Game(setup.table_world("medium"))
+    found = Game(presets.table_world("medium"))
     found.perform(Action("match", Fixture(game, seats, table, **rules).line()))
     return found
 
@@ -272,7 +274,7 @@ def test_every_reason_is_said_in_both_languages_with_its_number(why, language):
 def test_a_fixture_is_read_back_as_it_was_written():
     seats = (Seat("김 사구", "expert", 25), Seat("", "human", 3))
     one = Fixture("three-cushion", seats, "match", "worn", "thesis", bank=2, red_first=False)
-    assert fixture.read(one.line()) == one
+    assert terms.read(one.line()) == one
     assert "\n" not in one.line()
 
 
@@ -296,14 +298,14 @@ WRONG = [
 @pytest.mark.parametrize(("line", "blamed"), WRONG)
 def test_a_fixture_that_cannot_be_played_says_why(line, blamed):
     with pytest.raises(ValueError, match=blamed):
-        fixture.read(line)
+        terms.read(line)
 
 
 def test_every_fixture_of_the_menu_begins():
-    for name in fixture.GAMES:
-        for table in setup.TABLES:
-            for cloth in setup.CLOTHS:
-                game = Game(setup.table_world("medium"))
+    for name in terms.GAMES:
+        for table in presets.TABLES:
+            for cloth in presets.CLOTHS:
+                game = Game(presets.table_world("medium"))
                 game.perform(Action("match", Fixture(name, table=table, cloth=cloth).line()))
                 assert game.table == table
                 assert game.cloth == cloth

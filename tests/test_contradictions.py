@@ -7,7 +7,7 @@ import pytest
 from game import options
 from game.__main__ import new_game
 from game.options import Options
-from game.settings import Settings
+from game.settings.settings import Settings
 
 LINE = "danggu1 medium white=-0.5,0.0 red1=0.5,0.25"
 VALUES = {

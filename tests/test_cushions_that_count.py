@@ -11,9 +11,9 @@ from referee import watched
 from danggu.rules.carom import Carom
 from danggu.rules.stroke import LEFT, stroke
 from danggu.rules.verdict import Turn, Verdict
-from game.actions import Action
-from game.clock import TICKS
-from game.play import Game
+from game.session.action import Action
+from game.session.session import Game
+from game.session.ticks import TICKS
 from physics import Ball, EventDriven, Shot, TimeStepping, World, laws, simulate, tables
 
 CASES = json.loads((Path(__file__).parent / "data" / "near_cushions.json").read_text())

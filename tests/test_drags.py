@@ -4,11 +4,11 @@ import pygame
 import pytest
 from players import FRAME, an_app, in_window, places, press
 
-from game.actions import Action
-from game.render import cuecard, gauges
-from game.ui import sheetview
-from game.ui.choices import ROWS
-from game.ui.grasp import pull
+from game.render.parts import cue_card, gauges
+from game.session.action import Action
+from game.ui.pages import settings_view
+from game.ui.pages.settings_rows import ROWS
+from game.ui.table.drag_aim import pull
 
 
 def send(app, kind, at=(0, 0), held=True, **more):
@@ -63,7 +63,7 @@ def tip(app):
 
 def elevation(app):
     layout = app.view.sight.layout
-    x, y = cuecard.side_ball(layout.tip, layout.s)
+    x, y = cue_card.side_ball(layout.tip, layout.s)
     return (x + 45 * layout.s, y), (x + 30 * layout.s, y - 25 * layout.s)
 
 
@@ -144,7 +144,7 @@ def test_the_volume_is_let_go_with_its_page():
     app = an_app(size=(1280, 720))
     press(app, "f3")
     index = next(i for i, row in enumerate(ROWS) if row.name == "volume")
-    track = sheetview.track(index, app.view.sight)
+    track = settings_view.track(index, app.view.sight)
     hold(app, track.center, (track.centerx + 20, track.centery))
     held = state(app)
     press(app, "escape")

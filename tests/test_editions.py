@@ -3,12 +3,12 @@
 import pytest
 from records import OPTIONS, lines, rewritten
 
-from game import setup
 from game.__main__ import new_game
-from game.actions import Action
-from game.record import RecordError, digest, read
-from game.recorder import Recorder
-from game.replay import headless
+from game.replay.game_record import RecordError, digest, read
+from game.replay.recorder import Recorder
+from game.replay.replay import headless
+from game.session.action import Action
+from game.table import presets
 from physics import Cloth, Shot, laws, simulate
 
 BEFORE = Cloth(slide=0.15, roll=0.005, spin_decay=5.0, gravity=9.81)
@@ -37,7 +37,7 @@ def of_the_first(found):
 
 
 def test_a_record_says_its_edition_and_comes_out_the_same(record):
-    assert lines(record)[0]["edition"] == setup.EDITION == 2
+    assert lines(record)[0]["edition"] == presets.EDITION == 2
     played = read(str(record), OPTIONS)
     assert headless(played, new_game(played.setup)).state == "same"
 
@@ -47,7 +47,7 @@ def test_a_record_without_an_edition_is_played_with_the_presets_of_the_first(rec
     game = new_game(played.setup)
     for at, (cloth, cushion) in enumerate((
         (BEFORE, game.came_with.cushion_law),
-        (setup.CLOTHS["humid"], laws.MathavanCushion(slide=0.212, nose=0.039 / 0.03275)),
+        (presets.CLOTHS["humid"], laws.MathavanCushion(slide=0.212, nose=0.039 / 0.03275)),
     )):  # fmt: skip
         for _, action in played.actions[4 * at : 4 * at + 3]:
             game.perform(action)
@@ -60,7 +60,7 @@ def test_a_record_without_an_edition_is_played_with_the_presets_of_the_first(rec
 
 def _end(game, cloth, cushion):
     """Where the balls rest if the shot that has just begun is played with these."""
-    world = setup.table_world("medium")
+    world = presets.table_world("medium")
     world.recall(game.lies)
     world.cloth, world.cushion_law = cloth, cushion
     speed, follow, masse, side, angle = map(float, game.aim.texts)

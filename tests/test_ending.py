@@ -10,8 +10,8 @@ import pytest
 from records import lines
 
 from game import __main__ as entry
-from game import signals
-from game.settings import Store
+from game.settings.settings import Store
+from game.window import signals
 
 DANGGU = [sys.executable, "-m", "game"]
 NAMES = [name for name in signals.NAMES if hasattr(signal, name)]
@@ -94,9 +94,9 @@ def test_a_replay_that_is_ended_by_a_signal_has_not_come_out_the_same(tmp_path):
     record = tmp_path / "x.rec"
     record.write_text('{"format":"danggu record","version":1,"ticks":65536,"setup":{}}\n')
     code = (
-        "import os, signal, sys, game.__main__ as entry, game.replay\n"
+        "import os, signal, sys, game.__main__ as entry, game.replay.replay\n"
         "def late(*_): os.kill(os.getpid(), signal.SIGTERM)\n"
-        "game.replay.headless = late\n"
+        "game.replay.replay.headless = late\n"
         "sys.exit(entry.main(sys.argv[1:]))\n"
     )
     said = ["--replay", str(record), "--headless"]

@@ -8,14 +8,14 @@ from threading import Timer
 
 import pytest
 
-from game import files
 from game.__main__ import new_game
-from game.library import Library
-from game.lineup import read as lineup
 from game.options import Options
-from game.record import RecordError
-from game.recorder import Recorder
-from game.settings import Settings, Store
+from game.replay.game_record import RecordError
+from game.replay.recorder import Recorder
+from game.settings import user_files
+from game.settings.settings import Settings, Store
+from game.table.library import Library
+from game.table.lineup import read as lineup
 from physics import Shot, store
 from physics import whole_files as whole
 
@@ -161,19 +161,19 @@ def test_a_byte_order_mark_does_no_harm(tmp_path):
 
 
 def test_a_file_without_an_end_is_not_read_to_its_end(tmp_path, monkeypatch):
-    monkeypatch.setattr(files, "MOST", 10)
+    monkeypatch.setattr(user_files, "MOST", 10)
     path = tmp_path / "x"
     path.write_text("12345678901")
     with pytest.raises(OSError, match="longer than 10 bytes"):
-        files.read(path)
+        user_files.read(path)
     with pytest.raises(OSError, match="longer than 10 bytes"):
-        files.stream(str(path), 10)
+        user_files.stream(str(path), 10)
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
 def test_a_pipe_without_a_writer_is_empty(tmp_path):
     os.mkfifo(tmp_path / "pipe")
-    assert files.stream(str(tmp_path / "pipe"), 10) == b""
+    assert user_files.stream(str(tmp_path / "pipe"), 10) == b""
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes here")
@@ -184,7 +184,7 @@ def test_a_pipe_is_read_until_its_writer_is_done(tmp_path):
     writer = os.open(pipe, os.O_WRONLY)
     os.write(writer, b"data")
     Timer(0.2, os.close, [writer]).start()
-    assert files.stream(str(pipe), 10) == b"data"
+    assert user_files.stream(str(pipe), 10) == b"data"
     os.close(reader)
 
 

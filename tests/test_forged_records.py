@@ -6,10 +6,10 @@ import pytest
 from forgeries import forged
 from records import OPTIONS, replayed, shown
 
-from game import replay
-from game.play import Game
-from game.record import LATEST, RecordError, read
-from game.values import VALUES
+from game.replay import replay
+from game.replay.game_record import LATEST, RecordError, read
+from game.session.session import Game
+from game.session.values import VALUES
 
 DATA = Path(__file__).parent / "data" / "records"
 SAID = {

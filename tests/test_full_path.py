@@ -9,13 +9,13 @@ from random import Random
 import pytest
 from players import FRAME, an_app, assert_same_as_anew
 
-from game import lineup
-from game.actions import Action
-from game.fixture import FOUR_BALL, Fixture
-from game.play import Game
-from game.preview import preview
+from game.aim.preview import preview
 from game.render.theme import ERROR
-from game.setup import table_world
+from game.session.action import Action
+from game.session.session import Game
+from game.session.terms import FOUR_BALL, Fixture
+from game.table import lineup
+from game.table.presets import table_world
 from physics import Shot, simulate
 
 CASES = json.loads((Path(__file__).parent / "data" / "previews.json").read_text(encoding="utf-8"))

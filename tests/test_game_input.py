@@ -8,10 +8,11 @@ import pytest
 from players import an_app, enter, places, press, run_to_rest, write
 
 from game import __main__ as entry
-from game import options, script
-from game.aim import Fault, fault, typed
+from game import options
+from game.aim.entry import Fault, fault, typed
+from game.replay import script
 from game.text import words
-from game.ui.parts import hint
+from game.ui.panels.parts import hint
 
 BAD = [
     ("", "empty"),

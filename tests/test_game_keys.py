@@ -6,7 +6,7 @@ import pygame
 import pytest
 from players import FRAME, an_app, click, enter, places, press, run_to_rest, write
 
-from game.aim import START
+from game.aim.entry import START
 
 
 @pytest.fixture
@@ -283,7 +283,7 @@ def test_dragging_sets_power_tip_and_angle_in_the_boxes(app):
 
 def test_the_lanes_buttons_go_back_play_and_skip(app):
     strip = app.view.sight.layout.timeline
-    from game.render.lanes import buttons
+    from game.render.parts.lanes import buttons
 
     *_, back, play, ahead = (b.center for b in buttons(strip, app.view.sight.layout.s))
     start = places(app.game)

@@ -19,13 +19,14 @@ from players import (
 )
 
 from game import __main__ as entry
-from game.actions import Action
-from game.aim import Aim
-from game.clock import LONGEST, TICKS, RealClock, VirtualClock, shares
-from game.play import Game, Notice
-from game.playhead import events
-from game.script import parse
-from game.setup import SCENES, table_world
+from game.aim.entry import Aim
+from game.replay.script import parse
+from game.session.action import Action
+from game.session.session import Game, Notice
+from game.session.ticks import TICKS, shares
+from game.session.timeline import events
+from game.table.presets import SCENES, table_world
+from game.window.clock import LONGEST, RealClock, VirtualClock
 from physics import EventDriven, simulate
 from physics.log import Log
 

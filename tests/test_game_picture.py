@@ -17,15 +17,15 @@ from players import (
 )
 
 import assets
-from game.aim import BOXES
-from game.keys import Keys
-from game.preview import path
-from game.render.cards import LOG_HEAD
-from game.render.fields import hint_room
+from game.aim.entry import BOXES
+from game.aim.preview import path
+from game.input.bindings import Keys
+from game.render.font import Type
 from game.render.layout import Layout
-from game.render.text import Type
+from game.render.parts.cards import LOG_HEAD
+from game.render.parts.fields import hint_room
 from game.text import LANGUAGES, words
-from game.ui import help as page
+from game.ui.pages import help as page
 from physics import scenes
 
 

@@ -5,13 +5,13 @@ import re
 import pytest
 from players import FREE, SPARE, an_app, press
 
-from game.actions import Action
-from game.keys import DEFAULTS, Keys
+from game.input.bindings import DEFAULTS, Keys
+from game.render.font import Type
 from game.render.layout import Layout
-from game.render.text import Type
+from game.session.action import Action
 from game.text import KEY, LANGUAGES, words
-from game.ui import help as page
-from game.ui.parts import badge, hint
+from game.ui.pages import help as page
+from game.ui.panels.parts import badge, hint
 
 EN = words("en")
 SPEAKING = ("hint.", "notice.", "rule.", "help.mouse", "help.close", "key.")

@@ -7,11 +7,11 @@ from matches import choose, menu_button, opening_numbers, scores, told
 from players import FRAME, an_app, assert_same_as_anew, click, enter, press, run_to_rest
 
 from danggu.players.positions import opening
-from game.actions import Action
-from game.render.gauges import tip_circle
+from game.render.parts.gauges import tip_circle
+from game.session.action import Action
 from game.text import words
-from game.ui import panels, plates, prompts
-from game.ui.parts import hint
+from game.ui.panels import prompts, score_plates, shot_panels
+from game.ui.panels.parts import hint
 
 
 def test_an_inning_of_4_ball_by_keyboard_alone():
@@ -80,7 +80,7 @@ def test_an_inning_of_4_ball_by_mouse_alone():
 
 def shown(app):
     """Badge and first line of the result card."""
-    return panels._result_look(app.view.sight)[:2]
+    return shot_panels._result_look(app.view.sight)[:2]
 
 
 def when(app, happened):
@@ -131,7 +131,7 @@ def test_a_foul_of_4_ball_shows_at_once_and_a_point_when_it_cannot_be_lost_any_m
 def test_the_plates_show_turn_score_and_the_last_point():
     app = an_app(game="four-ball", handicap="1", finish="last_point_3c")
     contest, sight = app.game.contest, app.view.sight
-    assert plates._line(sight, contest, 0)[0] == "Last point: three cushions"
+    assert score_plates._line(sight, contest, 0)[0] == "Last point: three cushions"
     before = app.screen.subsurface(sight.layout.score[0]).copy()
     enter(app, *opening_numbers())
     press(app, "return", "end")
@@ -146,7 +146,7 @@ def test_a_handicap_reached_wins_and_the_window_says_so():
     enter(app, *opening_numbers())
     press(app, "return", "end")
     assert told(app) == ("+1", "Ann wins", "1 inning · avg 1.00 · Both reds, 2 cushions")
-    assert plates._line(app.view.sight, app.game.contest, 0)[0] == "wins after 1 inning"
+    assert score_plates._line(app.view.sight, app.game.contest, 0)[0] == "wins after 1 inning"
     press(app, "ctrl+return")
     assert hint(app.game, words("en")) == ("the match is over · F10 new game", True)
     click(app, app.view.sight.layout.shoot.center)

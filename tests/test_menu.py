@@ -4,10 +4,10 @@ import pytest
 from matches import choose, menu_button
 from players import FRAME, an_app, assert_same_as_anew, click, places, press, write
 
-from game import lineup
+from game.table import lineup
 from game.text import words
-from game.ui import menuview, pages, shelfview
-from game.ui.rules import RULES
+from game.ui.pages import menu_view, page_parts, shelf_view
+from game.ui.pages.rules_page import RULES
 
 
 def test_the_game_starts_at_a_table_and_not_in_a_menu():
@@ -88,7 +88,7 @@ def test_names_and_numbers_stay_within_what_a_match_takes():
 def test_closing_and_clicking_outside_change_nothing():
     app = an_app(game="four-ball")
     before = app.game.contest
-    for at in ((3, 3), pages.close_rect(app.view.sight.layout).center):
+    for at in ((3, 3), page_parts.close_rect(app.view.sight.layout).center):
         press(app, "f10", "right")
         click(app, at)
         assert app.game.sheet == ""
@@ -117,26 +117,26 @@ def test_every_word_of_the_pages_fits_into_its_place(lang, width):
     app = an_app(size=(width, width * 9 // 16), lang=lang)
     w, sight = words(lang), app.view.sight
     s, type_ = sight.layout.s, sight.type
-    room = pages.inside(sight.layout).w
-    for rect, name in zip(menuview.button_rects(sight.layout), menuview.BUTTONS, strict=True):
+    room = page_parts.inside(sight.layout).w
+    for rect, name in zip(menu_view.button_rects(sight.layout), menu_view.BUTTONS, strict=True):
         assert type_.width(w[f"menu.{name}"], 15) <= rect.w - 8 * s
     for key in (k for k in w if k.startswith("row.")):
-        assert type_.width(w[key], 13) <= menuview.LABEL * s - 8, w[key]
-    for rect, name in zip(shelfview.button_rects(sight.layout), shelfview.BUTTONS, strict=True):
+        assert type_.width(w[key], 13) <= menu_view.LABEL * s - 8, w[key]
+    for rect, name in zip(shelf_view.button_rects(sight.layout), shelf_view.BUTTONS, strict=True):
         assert type_.width(w[f"shelf.{name}"], 15) <= rect.w - 8 * s
-    card = shelfview.card_rect(0, sight.layout).w - 12 * s
+    card = shelf_view.card_rect(0, sight.layout).w - 12 * s
     for ready in lineup.shelf():
         assert type_.width(w[f"position.{ready.key}"], 13) <= card
     assert type_.width(w["shelf.hint"], 13) <= room
-    box = (room - sight.layout.px(32)) / 2 - (menuview.LABEL + 2 * menuview.ARROW + 8) * s
+    box = (room - sight.layout.px(32)) / 2 - (menu_view.LABEL + 2 * menu_view.ARROW + 8) * s
     for key in (k for k in w if k.startswith(("level.", "finish.", "cloth.", "table.", "game."))):
         if key not in ("level.error", "table.scene"):
             assert type_.width(w[key], 15) <= box, w[key]
     for game, count in RULES.items():
         texts = [w[f"rule.{game}.{n}"] for n in range(1, count + 1)]
-        lines = [list(pages.wrapped(text, type_, 15, room - 24 * s)) for text in texts]
+        lines = [list(page_parts.wrapped(text, type_, 15, room - 24 * s)) for text in texts]
         height = (34 + 36 + sum(25 * len(one) + 9 for one in lines)) * s
-        assert height <= pages.inside(sight.layout).h
+        assert height <= page_parts.inside(sight.layout).h
 
 
 @pytest.mark.parametrize("lang", ["en", "ko"])

@@ -9,13 +9,13 @@ from anything import engines
 from players import FRAME, an_app, assert_same_as_anew, places, press, run_to_rest
 
 from game import __main__ as entry
-from game import lineup, setup
-from game.actions import Action
-from game.clock import TICKS
-from game.fixture import FOUR_BALL, Fixture, Seat
-from game.play import Game, Notice
-from game.preview import rests
-from game.setup import scene_world, table_world
+from game.aim.preview import rests
+from game.session.action import Action
+from game.session.session import Game, Notice
+from game.session.terms import FOUR_BALL, Fixture, Seat
+from game.session.ticks import TICKS
+from game.table import lineup, presets
+from game.table.presets import scene_world, table_world
 from physics import EventDriven, Placed, Shot
 from physics.engines.stepping import SCHEMES
 
@@ -116,7 +116,7 @@ def test_balls_are_placed_at_random_where_a_wall_takes_half_the_table_or_not_at_
 
 def test_without_room_no_ball_is_placed(monkeypatch):
     game = Game(table_world("medium"))
-    monkeypatch.setattr(setup, "_fits", lambda *_: False)
+    monkeypatch.setattr(presets, "_fits", lambda *_: False)
     before = game.world.layout()
     do(game, "place")
     assert game.notice == Notice("refused.room", error=True)

@@ -6,11 +6,11 @@ from pathlib import Path
 import pytest
 from players import FRAME, an_app, enter, places, press, write
 
-from game import clipboard
-from game.aim import LONGEST, Aim, fault
-from game.numerals import hopeless, typed, value
+from game.aim.entry import LONGEST, Aim, fault
+from game.input.numerals import hopeless, typed, value
 from game.text import words
-from game.ui.parts import hint
+from game.ui.panels.parts import hint
+from game.window import clipboard
 
 TYPED = json.loads((Path(__file__).parent / "data" / "typed_numbers.json").read_text("utf-8"))
 GOOD = [case for case in TYPED if case["number"] is not None]

@@ -4,17 +4,17 @@ import pytest
 from matches import opening_numbers
 from players import FRAME, FREE, an_app, click, enter, places, press, run_to_rest, write
 
-from game.actions import Action
 from game.app import App
-from game.keys import Keys
-from game.play import Notice
-from game.record import read
-from game.recorder import Recorder
-from game.replay import Replay
-from game.script import parse
+from game.input.bindings import Keys
+from game.replay.game_record import read
+from game.replay.recorder import Recorder
+from game.replay.replay import Replay
+from game.replay.script import parse
+from game.session.action import Action
+from game.session.session import Notice
 from game.text import words
-from game.ui import prompts
-from game.ui.parts import hint
+from game.ui.panels import prompts
+from game.ui.panels.parts import hint
 
 
 def free(*keys, **options):
@@ -237,9 +237,10 @@ def test_a_tip_held_at_the_ring_is_a_warning_and_may_be_shot():
 def test_a_warning_looks_neither_like_help_nor_like_an_error():
     from pictures import black, pixels
 
-    from game.render import fields, theme
+    from game.render import theme
+    from game.render.font import Type
     from game.render.layout import Layout
-    from game.render.text import Type
+    from game.render.parts import fields
 
     layout, seen = Layout((1280, 720), 2.54, 1.27), set()
     for tone in ({}, {"error": True}, {"warning": True}):

@@ -5,10 +5,10 @@ import pytest
 from matches import menu_button, opening_numbers
 from players import FRAME, an_app, assert_same_as_anew, click, enter, pixels, places, press, write
 
-from game.actions import Action
+from game.session.action import Action
 from game.text import LANGUAGES, words
-from game.ui import question, sheetview, shelfview
-from game.ui.choices import ROWS
+from game.ui.pages import question, settings_view, shelf_view
+from game.ui.pages.settings_rows import ROWS
 
 TABLE = next(i for i, row in enumerate(ROWS) if row.name == "table")
 
@@ -77,7 +77,7 @@ def test_a_match_ends_when_the_player_wants_another_table(app, how):
 
 def test_by_mouse_alone(app):
     press(app, "f3")
-    spots = sheetview.cells(TABLE, app.view.sight)
+    spots = settings_view.cells(TABLE, app.view.sight)
     click(app, next(cell.rect for cell in spots if cell.key == "thesis").center)
     assert app.game.contest is not None
     answer(app, "end")
@@ -88,7 +88,7 @@ def test_a_set_up_from_the_shelf_asks_too(app):
     before = everything(app)
     press(app, "f4", "return", "escape")
     assert everything(app) == before
-    click(app, shelfview.card_rect(1, app.view.sight.layout).center)
+    click(app, shelf_view.card_rect(1, app.view.sight.layout).center)
     assert everything(app) == before
     answer(app, "end")
     assert app.game.contest is None

@@ -11,15 +11,15 @@ from records import OPTIONS, lines, recorded, replayed, shown
 
 from game import __main__ as entry
 from game.__main__ import new_game
-from game.actions import Action
 from game.app import App
-from game.library import Library
-from game.lineup import read as lineup
-from game.play import Notice
-from game.record import RecordError, read
-from game.recorder import Recorder
-from game.replay import headless
-from game.settings import Settings, Store
+from game.replay.game_record import RecordError, read
+from game.replay.recorder import Recorder
+from game.replay.replay import headless
+from game.session.action import Action
+from game.session.session import Notice
+from game.settings.settings import Settings, Store
+from game.table.library import Library
+from game.table.lineup import read as lineup
 from game.text import LANGUAGES
 
 
@@ -179,7 +179,7 @@ def test_watching_a_replay_changes_nothing_of_the_viewers(tmp_path, monkeypatch,
     Store(settings).save(Settings(volume=3))
     Library(setups).put("a", lineup("danggu1 medium white=0,0"))
     before = [(p.stat().st_mtime_ns, p.read_bytes()) for p in (settings, setups)]
-    monkeypatch.setattr("game.library.folder", lambda: folder)
+    monkeypatch.setattr("game.table.library.folder", lambda: folder)
     assert shown(record, "--settings", str(settings)) == 3
     assert [(p.stat().st_mtime_ns, p.read_bytes()) for p in (settings, setups)] == before
     settings.write_text("broken")

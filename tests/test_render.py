@@ -10,20 +10,11 @@ import pygame
 import pytest
 from pictures import TABLES, black, changed, layouts, pixels, same, sprites
 
-from game.render import (
-    cards,
-    cue,
-    fan,
-    fields,
-    gauges,
-    lanes,
-    lines,
-    shapes,
-    table,
-    theme,
-)
+from game.render import theme
+from game.render.font import Type
 from game.render.layout import Layout
-from game.render.text import Type
+from game.render.parts import cards, fields, gauges, lanes, shapes
+from game.render.table import background, cue_stick, fan, lines
 
 LAYOUT = Layout((1280, 720), 2.448, 1.270)
 TYPE = Type(1.0)
@@ -38,7 +29,7 @@ DRAWN = {
     "departure": lambda s: lines.departure(s, (300.3, 200.8), 0.7, 11, WHITE, 1.0),
     "bounce": lambda s: lines.bounce(s, (300.3, 200.8), (0, -1), 11, WHITE, 1.0),
     "collision": lambda s: lines.collision(s, (300.3, 200.8), 1.0),
-    "cue": lambda s: cue.draw(s, LAYOUT, (-0.5, -0.3), 0.6, 0.05),
+    "cue": lambda s: cue_stick.draw(s, LAYOUT, (-0.5, -0.3), 0.6, 0.05),
     "ball": lambda s: sprites().draw(s, 0, (0.2, 0.3)),
     "score": lambda s: cards.score(
         s, LAYOUT.score[0], TYPE, "선수 1", "평균 1.42", "12", "20", True, None, 0.6
@@ -193,7 +184,7 @@ def test_the_cue_never_leaves_the_table():
         surface = black(LAYOUT)
         surface.fill((90, 90, 90))
         before = pixels(surface)
-        cue.draw(surface, LAYOUT, (-1.1, -0.5), float(angle), 0.1)
+        cue_stick.draw(surface, LAYOUT, (-1.1, -0.5), float(angle), 0.1)
         assert LAYOUT.table.contains(changed(before, surface))
 
 
@@ -224,7 +215,7 @@ def test_the_tip_ball_and_its_values_do_not_overlap_on_the_narrowest_panel():
 @pytest.mark.parametrize("shape", TABLES.values(), ids=TABLES)
 def test_the_background_is_the_same_every_time_and_brightest_under_the_lamps(shape, cloth):
     layout = Layout((960, 540), *shape[:2])
-    first, second = table.background(layout, cloth), table.background(layout, cloth)
+    first, second = background.background(layout, cloth), background.background(layout, cloth)
     assert np.array_equal(pixels(first), pixels(second))
     seen = pixels(first).astype(float).sum(axis=-1)
 
@@ -239,7 +230,7 @@ def test_the_background_is_the_same_every_time_and_brightest_under_the_lamps(sha
 
 @pytest.mark.parametrize("layout", layouts(), ids=same)
 def test_the_floor_is_plain_wherever_a_card_or_a_focus_ring_wipes_it(layout):
-    floor = pixels(table.background(layout))
+    floor = pixels(background.background(layout))
     for rect in (*layout.score, *layout.fields, layout.panel, layout.engine, layout.shoot):
         room = rect.inflate(2 * round(4 * layout.s), 2 * round(4 * layout.s))
         room = room.clip((0, 0, *layout.size))
@@ -248,8 +239,8 @@ def test_the_floor_is_plain_wherever_a_card_or_a_focus_ring_wipes_it(layout):
 
 
 def test_walls_inside_the_bed_are_drawn_where_they_stand():
-    plain = pixels(table.background(LAYOUT))
-    walled = table.background(LAYOUT, walls=[[(0.0, -0.2), (0.0, 0.2)]])
+    plain = pixels(background.background(LAYOUT))
+    walled = background.background(LAYOUT, walls=[[(0.0, -0.2), (0.0, 0.2)]])
     area = changed(plain, walled)
     assert area.collidepoint(LAYOUT.to_screen(0, 0))
     assert area.h == pytest.approx(0.4 * LAYOUT.scale, rel=0.2)

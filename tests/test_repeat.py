@@ -3,9 +3,9 @@
 import pygame
 import pytest
 
-from game.actions import Action
-from game.clock import TICKS
-from game.repeat import FIRST, NEXT, Repeat
+from game.input.repeat import FIRST, NEXT, Repeat
+from game.session.action import Action
+from game.session.ticks import TICKS
 
 
 @pytest.fixture

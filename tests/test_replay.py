@@ -8,14 +8,14 @@ from players import FRAME, press, write
 from records import OPTIONS, lines, recorded, replayed, rewritten, shown
 
 from game.__main__ import new_game
-from game.actions import Action
 from game.app import App
-from game.fixture import FOUR_BALL, SEATS, Fixture, Seat
-from game.keys import DEFAULTS
-from game.record import RecordError, Witness, digest, read
-from game.recorder import Recorder
-from game.replay import Replay, headless
-from game.thinker import Thinker
+from game.computer.thinker import Thinker
+from game.input.bindings import DEFAULTS
+from game.replay.game_record import RecordError, Witness, digest, read
+from game.replay.recorder import Recorder
+from game.replay.replay import Replay, headless
+from game.session.action import Action
+from game.session.terms import FOUR_BALL, SEATS, Fixture, Seat
 
 pytestmark = pytest.mark.usefixtures("undrawn")
 

@@ -8,13 +8,13 @@ from players import FRAME, an_app, enter, press, run_to_rest, write
 
 from game import options
 from game.__main__ import main, new_game
-from game.actions import Action
-from game.clock import TICKS
-from game.fixture import FOUR_BALL, Fixture, read
-from game.play import Game
-from game.settings import Settings, Store
-from game.setup import table_world
-from game.ui import panels, plates
+from game.session.action import Action
+from game.session.session import Game
+from game.session.terms import FOUR_BALL, Fixture, read
+from game.session.ticks import TICKS
+from game.settings.settings import Settings, Store
+from game.table.presets import table_world
+from game.ui.panels import score_plates, shot_panels
 from physics import EventDriven, TimeStepping
 
 MISS = ("0.5", "0.25", "0", "0", "90")
@@ -27,7 +27,7 @@ def app():
 
 def result(app):
     """What the card of the last stroke says."""
-    return panels._result_look(app.view.sight)
+    return shot_panels._result_look(app.view.sight)
 
 
 # -- the boxes
@@ -135,7 +135,7 @@ def test_a_foul_is_told_from_the_moment_it_happens(app):
     for time, told in ((0.9 * when, False), (1.01 * when, True), (2 * when, True)):
         app.perform(Action("scrub", int(time * TICKS)))
         assert (
-            result(app)[:2] == (said[0], plates.reason(game.contest.verdict, words(app)))
+            result(app)[:2] == (said[0], score_plates.reason(game.contest.verdict, words(app)))
         ) is told
 
 

@@ -7,13 +7,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from game import setup
-from game.actions import Action
-from game.aim import START
-from game.library import Library
-from game.lineup import LineError, Lineup, of, read, shelf
-from game.play import Game
-from game.practice import GAP, slid
+from game.aim.entry import START
+from game.session.action import Action
+from game.session.session import Game
+from game.table import presets
+from game.table.library import Library
+from game.table.lineup import LineError, Lineup, of, read, shelf
+from game.table.placing import GAP, slid
 from physics import Ball, tables
 
 LINE = "danggu1 medium white=-0.5,0.0 red1=0.5,0.25 shot=3,0.5,0,-1,12.5"
@@ -33,7 +33,7 @@ def assert_all_lie_free(world):
 @settings(max_examples=60, deadline=None)
 @given(st.lists(st.tuples(st.sampled_from(["white", "yellow", "red1", "red2"]), SPOT), max_size=12))
 def test_balls_dragged_anywhere_never_overlap_and_never_leave_the_table(moves):
-    game = Game(setup.table_world("medium"))
+    game = Game(presets.table_world("medium"))
     game.perform(Action("arrange"))
     for name, (x, y) in moves:
         game.perform(Action("hold", name))
@@ -53,7 +53,7 @@ def test_a_ball_is_laid_down_beside_a_smaller_one_where_they_touch():
 @settings(max_examples=60, deadline=None)
 @given(SPOT)
 def test_a_ball_goes_where_it_is_dragged_if_there_is_room_and_else_no_farther_away_than_needed(to):
-    world = setup.table_world("medium")
+    world = presets.table_world("medium")
     white, found = world.ball("white"), complex(*slid(world, "white", to))
     others = [ball for ball in world.balls if ball is not white]
     gaps = [dist(to, ball.position) - ball.radius - white.radius for ball in others]
@@ -68,14 +68,14 @@ def test_a_ball_goes_where_it_is_dragged_if_there_is_room_and_else_no_farther_aw
 
 
 def test_a_ball_that_is_dragged_along_a_cushion_slides_on_it():
-    world = setup.table_world("medium")
+    world = presets.table_world("medium")
     x, y = slid(world, "white", (0.3, 2.0))
     assert x == 0.3
     assert y == pytest.approx(tables.MEDIUM_CAROM.width / 2 - 0.03275 - GAP, abs=1e-9)
 
 
 def test_a_ball_dragged_onto_another_slides_around_it():
-    world = setup.table_world("medium")
+    world = presets.table_world("medium")
     x, y = world.ball("red1").position
     found = slid(world, "white", (x + 0.01, y + 0.01))
     assert dist(found, (x, y)) == pytest.approx(2 * 0.03275 + GAP, abs=1e-9)
@@ -83,7 +83,7 @@ def test_a_ball_dragged_onto_another_slides_around_it():
 
 
 def test_one_drag_is_one_step_to_undo():
-    game = Game(setup.table_world("medium"))
+    game = Game(presets.table_world("medium"))
     before = [ball.position for ball in game.world.balls]
     game.perform(Action("arrange"))
     game.perform(Action("hold", "red1"))
@@ -100,10 +100,10 @@ def test_one_drag_is_one_step_to_undo():
 @settings(max_examples=50, deadline=None)
 @given(st.integers(0, 10**6), st.sampled_from(["thesis", "medium", "match"]))
 def test_a_line_brings_back_every_ball_to_the_last_bit(seed, table):
-    game = Game(setup.table_world(table), seed=seed, table=table)
+    game = Game(presets.table_world(table), seed=seed, table=table)
     game.perform(Action("place"))
     before = of(game, shot=True)
-    again = Game(setup.table_world("medium"))
+    again = Game(presets.table_world("medium"))
     again.perform(Action("line", before.line()))
     assert of(again, shot=True) == before
     assert again.table == table
@@ -112,7 +112,7 @@ def test_a_line_brings_back_every_ball_to_the_last_bit(seed, table):
 def test_a_line_with_a_shot_plays_the_same_shot():
     ends = []
     for line in (LINE, read(LINE).line()):
-        game = Game(setup.table_world("match"), table="match")
+        game = Game(presets.table_world("match"), table="match")
         game.perform(Action("line", line))
         assert game.aim.texts == ["3", "0.5", "0", "-1", "12.5"]
         game.perform(Action("fire"))
@@ -122,7 +122,7 @@ def test_a_line_with_a_shot_plays_the_same_shot():
 
 
 def test_a_line_without_a_shot_leaves_the_boxes_alone():
-    game = Game(setup.table_world("medium"))
+    game = Game(presets.table_world("medium"))
     game.perform(Action("line", of(game).line()))
     assert game.aim.texts == list(START)
 
@@ -130,7 +130,7 @@ def test_a_line_without_a_shot_leaves_the_boxes_alone():
 @pytest.mark.parametrize("ready", list(shelf()), ids=lambda r: f"{r.group}-{r.key}")
 def test_every_set_up_of_the_shelf_is_a_good_line(ready):
     if ready.group == "scenes":
-        game = Game(setup.table_world("medium"))
+        game = Game(presets.table_world("medium"))
         game.perform(Action("scene", ready.key))
         assert {ball.name for ball in game.world.balls} == {name for name, _ in ready.lineup.balls}
     else:
@@ -166,7 +166,7 @@ def test_a_broken_line_says_what_is_wrong_and_changes_nothing(line, reason, word
     with pytest.raises(LineError) as caught:
         read(line)
     assert (caught.value.reason, caught.value.word) == (reason, word)
-    game = Game(setup.table_world("medium"))
+    game = Game(presets.table_world("medium"))
     world, before = game.world, of(game)
     with pytest.raises(LineError):
         game.perform(Action("line", line))

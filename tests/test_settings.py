@@ -8,10 +8,11 @@ import pytest
 from players import FREE
 
 from game import __main__ as entry
-from game import options, settings
+from game import options
 from game.app import App
-from game.play import Notice
-from game.settings import FORMAT, VERSION, Settings, Store
+from game.session.session import Notice
+from game.settings import settings
+from game.settings.settings import FORMAT, VERSION, Settings, Store
 
 SWITCHES = [f.name for f in fields(Settings) if f.default is False]
 CHOSEN_ONES = Settings(

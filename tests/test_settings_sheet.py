@@ -6,13 +6,13 @@ import pygame
 import pytest
 from players import FRAME, FREE, an_app, click, pixels, press, write
 
-from game import setup
-from game.actions import Action
-from game.keys import DEFAULTS
-from game.settings import CHOICES
+from game.input.bindings import DEFAULTS
+from game.session.action import Action
+from game.settings.settings import CHOICES
+from game.table import presets
 from game.text import LANGUAGES, words
-from game.ui import sheetview
-from game.ui.choices import CHOSEN, ROWS
+from game.ui.pages import settings_view
+from game.ui.pages.settings_rows import CHOSEN, ROWS
 
 # -- words ---------------------------------------------------------------------------------------
 
@@ -30,17 +30,17 @@ def test_every_action_and_every_choice_has_its_words(language):
 
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720), (1920, 1080)])
-@pytest.mark.parametrize("table", setup.TABLES)
+@pytest.mark.parametrize("table", presets.TABLES)
 def test_choices_stay_in_their_rows_and_rows_in_the_sheet(language, size, table):
     sight = an_app(size=size, lang=language, table=table).view.sight
-    rect = sheetview.panel(sight.layout)
-    boxes = [sheetview.row_rect(i, sight.layout, 0) for i in range(len(ROWS))]
+    rect = settings_view.panel(sight.layout)
+    boxes = [settings_view.row_rect(i, sight.layout, 0) for i in range(len(ROWS))]
     shown = [box for box in boxes if box]
-    assert len(shown) == len(CHOSEN) + sheetview.keys_shown(sight.layout)
+    assert len(shown) == len(CHOSEN) + settings_view.keys_shown(sight.layout)
     assert all(rect.contains(box) for box in shown)
     assert rect.size <= size
     for index, row in enumerate(CHOSEN):
-        spots = [cell.rect for cell in sheetview.cells(index, sight)]
+        spots = [cell.rect for cell in settings_view.cells(index, sight)]
         assert all(boxes[index].contains(spot) for spot in spots)
         label = boxes[index].x + sight.type.width(sight.words[f"set.{row.name}"], 13)
         assert all(label < spot.x for spot in spots)
@@ -70,10 +70,10 @@ def to(app, name):
 
 def spot(app, name, key=""):
     sight = app.view.sight
-    for cell in sheetview.cells(row(name), sight):
+    for cell in settings_view.cells(row(name), sight):
         if cell.key == key:
             return cell.rect.center
-    return sheetview.row_rect(row(name), sight.layout, 0).center
+    return settings_view.row_rect(row(name), sight.layout, 0).center
 
 
 def test_time_stands_still_while_settings_are_open():
@@ -134,7 +134,7 @@ def test_switches_and_the_volume_by_keys(app):
 
 
 def test_the_volume_by_dragging_ends_where_the_mouse_does(app):
-    track = sheetview.track(row("volume"), app.view.sight)
+    track = settings_view.track(row("volume"), app.view.sight)
     click(app, track.midleft, to=(track.right + 300, track.centery + 99))
     assert app.preferences.settings.volume == 10
     click(app, track.midright, to=(track.x - 99, track.y))
@@ -165,7 +165,7 @@ def test_the_sheet_closes_by_its_cross_its_key_and_a_click_beside_it():
     app = an_app()
     ways = (
         lambda: press(app, "f3"),
-        lambda: click(app, sheetview.close_rect(app.view.sight.layout).center),
+        lambda: click(app, settings_view.close_rect(app.view.sight.layout).center),
         lambda: click(app, (2, 2)),
     )
     for close in ways:
@@ -184,7 +184,7 @@ def test_nothing_that_is_typed_in_the_sheet_gets_into_the_boxes(app):
 
 
 def test_the_wheel_scrolls_the_keys_no_further_than_they_go(app, monkeypatch):
-    monkeypatch.setattr(sheetview, "keys_shown", lambda layout: 5)
+    monkeypatch.setattr(settings_view, "keys_shown", lambda layout: 5)
     for turns, first in ((-3, 3), (-99, len(DEFAULTS) - 5), (99, 0)):
         pygame.event.post(pygame.event.Event(pygame.MOUSEWHEEL, x=0, y=turns))
         app.frame(FRAME)

@@ -7,8 +7,9 @@ import pygame
 import pytest
 from players import an_app, assert_same_as_anew, click, places, press, write
 
-from game import clipboard, lineup
-from game.ui import shelfview
+from game.table import lineup
+from game.ui.pages import shelf_view
+from game.window import clipboard
 
 R = 0.03275
 
@@ -19,8 +20,8 @@ def test_a_set_up_is_taken_from_the_shelf_by_keys_and_by_mouse():
     assert lineup.of(app.game).balls == list(lineup.shelf())[2].lineup.balls
     press(app, "f4")
     layout = app.view.sight.layout
-    click(app, shelfview.tab_rects(layout)[1].center)
-    click(app, shelfview.card_rect(1, layout).center)
+    click(app, shelf_view.tab_rects(layout)[1].center)
+    click(app, shelf_view.card_rect(1, layout).center)
     assert app.game.table == "match"
     assert app.game.sheet == ""
     press(app, "f4", "pagedown", "return")
@@ -33,7 +34,7 @@ def test_a_set_up_is_saved_by_name_and_loaded_again(tmp_path):
     app.view.sheets["shelf"].library.path = tmp_path / "set-ups.json"
     press(app, "down", "f4")
     wanted = places(app.game)
-    box = shelfview.box_rect(app.view.sight.layout)
+    box = shelf_view.box_rect(app.view.sight.layout)
     click(app, box.center)
     write(app, "나의 공")
     press(app, "return")
@@ -51,7 +52,7 @@ def test_a_line_is_copied_and_pasted_even_without_a_clipboard(monkeypatch):
     assert line.startswith("danggu1 medium white=")
     wanted = places(app.game)
     press(app, "escape", "down", "f4")
-    monkeypatch.setattr("game.clipboard.get", lambda: "")
+    monkeypatch.setattr("game.window.clipboard.get", lambda: "")
     press(app, "ctrl+v")
     assert app.game.sheet == ""
     assert places(app.game) == wanted

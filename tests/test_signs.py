@@ -8,15 +8,16 @@ import pygame
 import pytest
 
 from game import options
-from game.actions import Action
-from game.aim import BOXES
+from game.aim.entry import BOXES
+from game.aim.preview import preview
 from game.app import App
-from game.play import Game
-from game.preview import preview
-from game.render import gauges, light, turning
-from game.setup import table_world
+from game.render.parts import gauges
+from game.render.table import light, turning
+from game.session.action import Action
+from game.session.session import Game
+from game.table.presets import table_world
 from game.text import words
-from game.ui import aimpanel
+from game.ui.panels import aim_panel
 from physics import Ball, CueStroke, Shot, TimeStepping, World, laws, scenes, simulate, tables
 from physics.__main__ import main
 from physics.batch import sweep
@@ -195,7 +196,7 @@ def test_right_of_the_tip_picker_is_right_english_and_above_is_follow(app, sign)
     app.perform(Action("centre"))
     sight.pointer.pressing, sight.pointer.grip = True, ""
     for at, box in (((x + 0.3 * sign * radius, y), 3), ((x, y - 0.3 * sign * radius), 1)):
-        app.perform(aimpanel.tip_touch(at, sight.layout.tip, sight))
+        app.perform(aim_panel.tip_touch(at, sight.layout.tip, sight))
         assert sign * float(game.aim.texts[box]) > 0.1
         assert [float(text) for i, text in enumerate(game.aim.texts[1:4], 1) if i != box] == [0, 0]
     sight.pointer.pressing = False
@@ -264,7 +265,7 @@ def test_both_languages_say_which_way_side_and_masse_go():
 
 @pytest.mark.parametrize(("language", "said"), [("en", "+ right english"), ("ko", "+ 오른쪽 당점")])
 def test_the_box_of_the_side_says_which_way_it_goes(language, said, monkeypatch):
-    from game.render.text import Type
+    from game.render.font import Type
 
     written: list[str] = []
     draw = Type.draw

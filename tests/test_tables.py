@@ -2,7 +2,7 @@
 
 import pytest
 
-from game import setup
+from game.table import presets
 from physics import Ball, Cloth, Shot, World, laws, simulate, tables
 
 PRESETS = [tables.THESIS, tables.MEDIUM_CAROM, tables.MATCH_CAROM]
@@ -102,7 +102,7 @@ def test_a_new_cloth_stops_a_ball_later_than_the_table_s_own(preset, angle):
     times = []
     for key in ("new", "table", "worn", "humid"):
         world = preset.world()
-        world.cloth = setup.cloth(key) or preset.cloth
+        world.cloth = presets.cloth(key) or preset.cloth
         world.add(Ball("white", at=(0.0, 0.0), radius=preset.radius, mass=preset.mass))
         times.append(simulate(world, "white", Shot(4.0, angle)).time)
     assert times == sorted(times, reverse=True)

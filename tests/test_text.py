@@ -9,14 +9,12 @@ from pictures import layouts, pixels, same
 from players import FRAME, an_app
 
 import assets
-from game.actions import Action
-from game.render import (
-    fields,
-    lines,
-    theme,
-)
+from game.render import theme
+from game.render.font import Type
 from game.render.layout import Layout
-from game.render.text import Type
+from game.render.parts import fields
+from game.render.table import lines
+from game.session.action import Action
 
 WHITE = theme.WHITE
 

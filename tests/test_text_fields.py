@@ -7,13 +7,13 @@ from hypothesis import strategies as st
 from players import FRAME, an_app, assert_same_as_anew, click, press, write
 from test_composing import to_box, to_name, to_row, to_shelf
 
-from game import clipboard
-from game.clock import TICKS
-from game.render import fields
-from game.repeat import FIRST, NEXT
+from game.input.repeat import FIRST, NEXT
+from game.input.text_field import TextField
+from game.render.parts import fields
+from game.session.ticks import TICKS
 from game.text import LANGUAGES, words
-from game.textfield import TextField
-from game.ui import menuview
+from game.ui.pages import menu_view
+from game.window import clipboard
 
 
 def box(app):
@@ -170,8 +170,8 @@ def test_a_click_into_a_name_chooses_a_place_in_it(app):
     menu = to_name(app)
     write(app, "abcd")
     place = menu.focus
-    rect = menuview.row_rect(menu.rows, place, app.view.sight.layout)
-    click(app, menuview.text_window(rect, app.view.sight).center)
+    rect = menu_view.row_rect(menu.rows, place, app.view.sight.layout)
+    click(app, menu_view.text_window(rect, app.view.sight).center)
     write(app, "x")
     assert menu.fixture.seats[0].name == "abxcd"
 

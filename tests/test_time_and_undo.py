@@ -18,11 +18,12 @@ from players import (
     write,
 )
 
-from game.actions import Action
-from game.clock import TICKS, VirtualClock
-from game.play import Game
-from game.render import cards, lanes
-from game.setup import scene_world, table_world
+from game.render.parts import cards, lanes
+from game.session.action import Action
+from game.session.session import Game
+from game.session.ticks import TICKS
+from game.table.presets import scene_world, table_world
+from game.window.clock import VirtualClock
 
 
 @pytest.fixture
@@ -297,7 +298,7 @@ def test_mathavans_cushion_has_the_nose_of_the_table(app):
 
 def test_the_badge_says_when_a_law_may_add_energy(app):
     from game.text import words
-    from game.ui.parts import badge
+    from game.ui.panels.parts import badge
 
     said = words("en")["law.creates"]
     assert said not in badge(app.game, words("en"))[1]

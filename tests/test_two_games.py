@@ -8,10 +8,10 @@ import time
 import pytest
 from players import FREE, SPARE, an_app, press
 
-from game import files
-from game.library import Library
-from game.lineup import read as lineup
-from game.settings import Settings, Store
+from game.settings import user_files
+from game.settings.settings import Settings, Store
+from game.table.library import Library
+from game.table.lineup import read as lineup
 
 LINE = lineup("danggu1 medium white=-0.5,0.0 red1=0.5,0.25")
 OTHER = lineup("danggu1 medium white=0.1,0.0")
@@ -121,7 +121,7 @@ def test_set_ups_on_show_survive_the_loss_of_the_file(path, loss):
 
 def test_many_games_that_save_at_the_same_time_lose_nothing(path):
     code = (
-        "import sys; from pathlib import Path; from game.library import Library, read\n"
+        "import sys; from pathlib import Path; from game.table.library import Library, read\n"
         "for k in range(15):\n"
         "    library = Library(Path(sys.argv[1])); library.items\n"
         "    assert library.put(f'{sys.argv[2]} {k}', read('danggu1 medium white=0.1,0.0'))\n"
@@ -134,8 +134,8 @@ def test_many_games_that_save_at_the_same_time_lose_nothing(path):
 
 @pytest.mark.skipif(os.name != "posix", reason="the lock of the folder")
 def test_a_game_that_hangs_with_the_lock_holds_nobody_up_for_long(path, monkeypatch):
-    monkeypatch.setattr(files, "PATIENCE", 0.05)
-    with files.alone(path):
+    monkeypatch.setattr(user_files, "PATIENCE", 0.05)
+    with user_files.alone(path):
         begun = time.monotonic()
         assert Library(path).put("a", LINE)
         assert time.monotonic() - begun < 2.0

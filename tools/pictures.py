@@ -18,14 +18,15 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 import pygame
 
 from danggu.players.positions import SHELF, Answer
-from game import options, setup
+from game import options
 from game.__main__ import new_game
-from game.actions import Action
-from game.aim import BOXES, START
+from game.aim.entry import BOXES, START
 from game.app import App
-from game.clock import TICKS
-from game.play import Game
 from game.render import theme
+from game.session.action import Action
+from game.session.session import Game
+from game.session.ticks import TICKS
+from game.table import presets
 
 DOCS = Path(__file__).parent.parent / "docs"
 COLOURS, EVEN, RARE = 256, 24, 0.35
@@ -47,8 +48,8 @@ SCRUBBED = 5.6
 def main(folder: Path) -> None:
     """Draw all three."""
     app = begun(SAGU, SAGU_PLAYED)
-    length, width = setup.size(app.game.world)
-    lay(app.game, {name: (x * length, y * width) for name, (x, y) in setup.BALLS.items()})
+    length, width = presets.size(app.game.world)
+    lay(app.game, {name: (x * length, y * width) for name, (x, y) in presets.BALLS.items()})
     numbers = " ".join(f"{box} {text}" for box, text in zip(BOXES, START, strict=True))
     aimed(app, numbers)
     save(app, folder / "game.png")
@@ -80,14 +81,14 @@ def place(app: App, key: str) -> None:
     """Lay the balls of a position for whoever is at the table, and aim as its answer says."""
     game = app.game
     position = next(place for place in SHELF if place.key == key)
-    spots = position.on(*setup.size(game.world))
+    spots = position.on(*presets.size(game.world))
     if game.cue == "yellow":
         spots["white"], spots["yellow"] = spots["yellow"], spots["white"]
     lay(game, spots)
     aim(app, position.answer)
 
 
-def lay(game: Game, spots: Mapping[str, setup.Place]) -> None:
+def lay(game: Game, spots: Mapping[str, presets.Place]) -> None:
     """Lay all balls down where they belong, metres."""
     game.lay([spots[ball.name] for ball in game.world.balls])
 
