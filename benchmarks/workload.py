@@ -65,7 +65,7 @@ class Truth(NamedTuple):
 
 def truth(make: Callable[[], World], times: Sequence[float] = TIMES) -> Truth:
     """The same kernel source run in 50-digit numbers."""
-    from tests import fifty
+    from tests.support import fifty
 
     package: Any = fifty.kernel()
     scene, places, events, last = fifty.scene(make()), [], 0, 0.0
