@@ -1,6 +1,6 @@
 """Draw the pictures of README.md without a window: docs/game.png, after.png and korean.png.
 
-python tools/pictures.py [FOLDER]      needs Pillow: pip install pillow
+python tools/readme_pictures.py [FOLDER]      needs Pillow: pip install pillow
 
 Both matches are played with the answers of the shelf, so that there is a score to be seen.
 """
