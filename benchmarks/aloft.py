@@ -5,7 +5,7 @@ from math import dist, hypot, inf
 from random import Random
 
 from physics import World
-from physics.ledger import ledger
+from physics.studies.ledger import ledger
 
 OVERLAP = 1e-12  # m
 ROUNDING = 1e-12  # of the energy

@@ -47,7 +47,7 @@ def application(frames: int | None, real: bool = False) -> Any:
     from game.__main__ import new_game
     from game.app import App
     from game.options import read
-    from game.script import parse
+    from game.replay.script import parse
 
     options = read([] if real else ["--frames", str(frames)])
     return App(new_game(options), options, parse("" if real else SCRIPT))

@@ -45,7 +45,7 @@ def advance_for(world: World, events: int) -> int:
 
 def event_cost(balls: int, effort: int) -> tuple[float, float]:
     """(interpreted, compiled) CPU seconds of an event in the gas; planning is not counted."""
-    from physics.compiled import kernel, packed
+    from physics.batch.compiled import kernel, packed
 
     events, best, best_compiled = (200, 2000, 5000)[effort], inf, inf
     advance: Any = kernel().calendar.advance

@@ -65,7 +65,7 @@ class Truth(NamedTuple):
 
 def truth(make: Callable[[], World], times: Sequence[float] = TIMES) -> Truth:
     """The same kernel source run in 50-digit numbers."""
-    from tests import fifty
+    from tests.support import fifty
 
     package: Any = fifty.kernel()
     scene, places, events, last = fifty.scene(make()), [], 0, 0.0
@@ -104,8 +104,8 @@ class Batch:
     def __init__(self, world: World, shots: int) -> None:
         import numpy as np
 
-        from physics.batch import start
-        from physics.compiled import kernel, packed
+        from physics.batch.compiled import kernel, packed
+        from physics.batch.many import start
 
         world.plan()
         rows = [start(ball) for ball in world.scene.balls]

@@ -14,7 +14,7 @@ import numpy as np
 from matplotlib.patches import Circle, Ellipse, Rectangle
 
 from physics import Shot, scenes, sensitivity, simulate, tables, trace
-from physics.slopes import AIM, NUMBERS
+from physics.studies.sensitivity import AIM, NUMBERS
 
 SHOT = Shot(3.0, 39.5, follow=1.0, side=0.5)
 ERRORS = (0.002, 0.006, 0.006, 0.001, 0.006)  # the linear law nearly holds for these

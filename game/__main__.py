@@ -12,16 +12,16 @@ if TYPE_CHECKING:
 
     from .app import App
     from .options import Options
-    from .play import Game
-    from .preferences import Preferences
-    from .record import Record
-    from .replay import Replay
+    from .replay.game_record import Record
+    from .replay.replay import Replay
+    from .session.session import Game
+    from .settings.preferences import Preferences
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Play; returns the exit code: 0, or 2 with a message on stderr when that is impossible."""
     try:
-        from . import signals
+        from .window import signals
 
         with signals.orderly():
             return _begin(arguments)
@@ -33,7 +33,7 @@ def _begin(arguments: list[str] | None) -> int:
     os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
     _write_anything()
     from . import options as command_line
-    from .plain import in_a_line
+    from .text.quoting import in_a_line
 
     options = command_line.read(arguments)
     if options.version:
@@ -81,8 +81,9 @@ def _version() -> int:
 
 def _play(options: Options) -> int:
     pygame = _pygame()
-    from . import record, start
-    from .replay import excused
+    from . import start
+    from .replay import game_record
+    from .replay.replay import excused
 
     hidden = start.unseen(options)
     if not hidden:
@@ -92,7 +93,7 @@ def _play(options: Options) -> int:
         options = preferences.settings.applied(options)
         if not options.replay:
             return _run(options, preferences, new_game(options))
-        played = record.read(options.replay, options)
+        played = game_record.read(options.replay, options)
         with excused(played.name):
             game = new_game(played.setup)
         return _replay(played, game, preferences, hidden)
@@ -101,8 +102,9 @@ def _play(options: Options) -> int:
 
 
 def _replay(played: Record, game: Game, preferences: Preferences, hidden: bool) -> int:
-    from . import signals, start
-    from .replay import Replay, headless
+    from . import start
+    from .replay.replay import Replay, headless
+    from .window import signals
 
     if not hidden:
         return _run(start.watched(played.setup), preferences, game, Replay(played, game))
@@ -118,11 +120,12 @@ def _run(
 
     import pygame
 
-    from . import signals, start
+    from . import start
     from .app import App
-    from .recorder import Recorder
-    from .replay import excused
-    from .script import read
+    from .replay.recorder import Recorder
+    from .replay.replay import excused
+    from .replay.script import read
+    from .window import signals
 
     script = read(options.script) if options.script else None
     recorder = Recorder(options.record, options, game) if options.record else None
@@ -156,25 +159,28 @@ def _photograph(app: App, path: str) -> None:
 
 def new_game(options: Options) -> Game:
     """The game that the options ask for."""
-    from . import choices, fixture, setup, sitting
-    from .play import Game
+    from .session import commands, equipment, terms
+    from .session.session import Game
+    from .table import presets
 
-    world = setup.scene_world(options.scene) if options.scene else setup.table_world(options.table)
+    world = (
+        presets.scene_world(options.scene) if options.scene else presets.table_world(options.table)
+    )
     game = Game(world, options.substeps, options.seed, options.scene or options.table)
     game.language, game.edition = options.lang, options.edition
     if "engine" in options.given:
         game.match_engine = options.engine
     if options.setup:
-        sitting.line(game, options.setup)
-    elif options.game != fixture.FREE:
-        sitting.match(game, fixture.asked(options).line())
+        commands.line(game, options.setup)
+    elif options.game != terms.FREE:
+        commands.match(game, terms.asked(options).line())
     # after the table is laid: each table comes with its own
     if options.law:
-        choices.law(game, options.law)
+        equipment.law(game, options.law)
     if options.cloth != "table":
-        choices.cloth(game, options.cloth)
+        equipment.cloth(game, options.cloth)
     if options.engine != "exact":
-        choices.engine(game, options.engine)
+        equipment.engine(game, options.engine)
     return game
 
 

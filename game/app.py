@@ -7,25 +7,30 @@ import sys
 
 import pygame
 
-from . import editing, watching
-from .actions import Action, of_key, of_text
-from .canvas import Canvas
-from .clock import RealClock, VirtualClock, seconds
-from .hearing import SILENCE, Ear
+from .computer.thinker import Thinker
+from .input import editing
+from .input.key_tables import of_key, of_text
+from .input.pointer import lets_go
+from .input.repeat import Repeat
 from .options import Options
-from .play import Game, Notice
-from .playhead import moment
-from .preferences import Preferences
-from .recorder import Recorder
-from .repeat import Repeat
-from .replay import Replay
-from .script import Script
-from .setup import size as table_size
-from .stats import Stats
-from .thinker import Thinker
-from .ui import hand, prompts, question
-from .ui.touch import lets_go
+from .replay import watching
+from .replay.recorder import Recorder
+from .replay.replay import Replay
+from .replay.script import Script
+from .session.action import Action
+from .session.session import Game, Notice
+from .session.ticks import seconds
+from .session.timeline import moment
+from .settings.preferences import Preferences
+from .sound.hearing import SILENCE, Ear
+from .table.presets import size as table_size
+from .ui.pages import question
+from .ui.panels import prompts
+from .ui.table import place_balls
 from .ui.view import View
+from .window.canvas import Canvas
+from .window.clock import RealClock, VirtualClock
+from .window.stats import Stats
 
 TITLE = "danggu"
 WM_CLASS = "billiards"
@@ -238,12 +243,12 @@ class App:
         keys = self.preferences.keys
         if self.game.help:
             always = keys.always.get(event.key)
-            if event.key in hand.DONE or always == Action("help"):
+            if event.key in place_balls.DONE or always == Action("help"):
                 self.perform(Action("help"))
             elif always == Action("language"):
                 self.perform(always)
             return
-        if self.game.arranging and (action := hand.key(event, self.game)):
+        if self.game.arranging and (action := place_balls.key(event, self.game)):
             self.perform(action)
             return
         action = of_key(event, self.game.aim.box, self._texts, keys.play, keys.always)

@@ -6,8 +6,8 @@ import os
 from collections.abc import Iterator, Mapping
 from itertools import combinations
 
-from . import fixture
-from .plain import in_a_line
+from .session import terms
+from .text.quoting import in_a_line
 
 VIEW = frozenset(
     {"lang", "size", "fps", "frames", "script", "screenshot", "stats", "version"}
@@ -31,7 +31,7 @@ def contradiction(found: Found) -> str:
 
 
 def _contradictions(found: Found) -> Iterator[str]:
-    laid = [name for name in LAID if name in found and found[name] != fixture.FREE]
+    laid = [name for name in LAID if name in found and found[name] != terms.FREE]
     for one, other in combinations(laid, 2):
         if (one, other) != ("game", "table"):
             yield f"{_said(found, one, other)}: each says which balls lie where"
@@ -52,12 +52,12 @@ def _contradictions(found: Found) -> Iterator[str]:
 
 def _idle(found: Found) -> Iterator[str]:
     """Options of a match that would do nothing in the game that is asked for."""
-    game = found.get("game", fixture.FREE)
-    if game == fixture.FREE and (lost := [name for name in MATCH if name in found]):
-        rules = " or ".join(name for name in fixture.GAMES if name != fixture.FREE)
+    game = found.get("game", terms.FREE)
+    if game == terms.FREE and (lost := [name for name in MATCH if name in found]):
+        rules = " or ".join(name for name in terms.GAMES if name != terms.FREE)
         yield f"{_said(found, *lost)}: needs --game {rules}"
-    elif "finish" in found and game != fixture.FOUR_BALL:
-        yield f"{_said(found, 'finish')}: needs --game {fixture.FOUR_BALL}"
+    elif "finish" in found and game != terms.FOUR_BALL:
+        yield f"{_said(found, 'finish')}: needs --game {terms.FOUR_BALL}"
 
 
 def _said(found: Found, *names: str) -> str:

@@ -10,11 +10,12 @@ from typing import NoReturn
 
 from physics import commandline
 
-from . import fixture, setup
 from .contradictions import VIEW, contradiction
-from .plain import shortly
-from .scriptformat import FORMAT
+from .replay.script_format import FORMAT
+from .session import terms
+from .table import presets
 from .text import LANGUAGES
+from .text.quoting import shortly
 
 PICTURES = (".png", ".jpg", ".jpeg", ".bmp", ".tga")
 """How the name of a picture ends: pygame writes these, and anything else as a TGA."""
@@ -53,7 +54,7 @@ class Options:
     level: str | None = None
     handicap: str | None = None
     finish: str | None = None
-    edition: int = setup.EDITION
+    edition: int = presets.EDITION
     """Of the presets: that of the record which is played."""
     setup: str | None = None
     settings: str | None = None
@@ -75,8 +76,8 @@ def read(arguments: list[str] | None = None) -> Options:
     found = vars(parser.parse_args(arguments))
     if wrong := contradiction(found):
         parser.error(wrong)
-    if found.get("game", fixture.FREE) != fixture.FREE:
-        found.setdefault("table", fixture.TABLES[found["game"]])
+    if found.get("game", terms.FREE) != terms.FREE:
+        found.setdefault("table", terms.TABLES[found["game"]])
     return Options(**found, given=frozenset(found))
 
 
@@ -116,13 +117,13 @@ def _parser(
     add = parser.add_argument
     add("--seed", type=_count(-(2**64), 2**64), metavar="N", help="for placing balls at random")
     add("--substeps", type=_count(1, 1000), metavar="N", help="physics calls a frame (6)")
-    add("--table", choices=[*setup.TABLES], help="table and its balls (medium)")
-    add("--scene", choices=[*setup.SCENES], help="begin with a scene of the physics package")
+    add("--table", choices=[*presets.TABLES], help="table and its balls (medium)")
+    add("--scene", choices=[*presets.SCENES], help="begin with a scene of the physics package")
     _add_match(parser)
     add("--setup", metavar="LINE", help="balls as a copied line says, perhaps with a shot")
-    add("--cloth", choices=[*setup.CLOTHS], help="condition of the cloth (the table's)")
-    add("--engine", choices=[*setup.ENGINES], help="exact events (exact), or time steps")
-    add("--law", choices=[*setup.LAWS], help="laws of collision (the table's)")
+    add("--cloth", choices=[*presets.CLOTHS], help="condition of the cloth (the table's)")
+    add("--engine", choices=[*presets.ENGINES], help="exact events (exact), or time steps")
+    add("--law", choices=[*presets.LAWS], help="laws of collision (the table's)")
     add("--lang", choices=[*LANGUAGES], help="language")
     add("--size", type=_size, metavar="WxH", help="window, pixels (1280x720)")
     add("--fps", type=_count(1, 1000), metavar="N", help="frames a second (60)")
@@ -147,15 +148,15 @@ def _parser(
 def _add_match(parser: argparse.ArgumentParser) -> None:
     """Add the options that begin a match."""
     add = parser.add_argument
-    add("--game", choices=fixture.GAMES, help="what to play (free)")
+    add("--game", choices=terms.GAMES, help="what to play (free)")
     add("--players", metavar="N|NAMES", help="1 or 2, or their names: Ann,Bo (2)")
     add(
         "--level",
         metavar="LEVELS",
-        help=f"who plays: {', '.join(fixture.SEATS)}; for each, or last",
+        help=f"who plays: {', '.join(terms.SEATS)}; for each, or last",
     )
     add("--handicap", metavar="POINTS", help="points to reach, for each player or for all (10)")
-    add("--finish", choices=fixture.FINISHES, help="how a game of 4-ball ends (extra_3c)")
+    add("--finish", choices=terms.FINISHES, help="how a game of 4-ball ends (extra_3c)")
 
 
 def _count(least: int, most: int) -> Callable[[str], int]:

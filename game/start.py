@@ -10,16 +10,16 @@ from typing import TYPE_CHECKING
 
 import pygame
 
-from . import files
 from .app import App, prepare_environment
 from .options import Options
-from .play import Notice
-from .preferences import Preferences
-from .recorder import Recorder
-from .settings import Store
+from .replay.recorder import Recorder
+from .session.session import Notice
+from .settings import user_files
+from .settings.preferences import Preferences
+from .settings.settings import Store
 
 if TYPE_CHECKING:
-    from .replay import Replay
+    from .replay.replay import Replay
 
 WINDOWLESS = ("dummy", "offscreen")
 """SDL's video drivers that show nothing."""
@@ -75,7 +75,7 @@ def preferences(options: Options) -> Preferences:
     path = Path(options.settings) if options.settings else None
     if path is not None:
         try:
-            files.regular(path)
+            user_files.regular(path)
         except OSError as error:
             why = error.strerror or error
             raise ValueError(f"cannot keep settings in {options.settings!r}: {why}") from None

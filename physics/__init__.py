@@ -5,29 +5,36 @@ from typing import TYPE_CHECKING, Any
 from . import laws
 from .ball import Ball, Placed
 from .cloth import Cloth
-from .engine import ContactError, EventBudgetError, EventDriven
+from .engines.exact import ContactError, EventBudgetError, EventDriven
 from .log import Contact, Event, Leg, Log, State
 from .shot import Shot, direction, heading
 from .simulation import simulate
-from .trace import heights, trace
+from .studies.trace import heights, trace
 from .wall import Wall
 from .world import World
 
 if TYPE_CHECKING:
-    from . import ledger, scenes, store, tables
-    from .batch import Outcomes, simulate_many
+    from . import scenes, tables
+    from .batch.many import Outcomes, simulate_many
     from .cue import CueStroke
-    from .recovery import Recovered, recover
-    from .slopes import Sensitivity, sensitivity
-    from .stepping import TimeStepping
+    from .engines.stepping import TimeStepping
+    from .files import store
+    from .studies import ledger
+    from .studies.recovery import Recovered, recover
+    from .studies.sensitivity import Sensitivity, sensitivity
     from .watch import EnergyGainWarning
 
+__version__ = "0.1.0"
+
 # loaded when first asked for: who only wants a world waits for nothing else
-MODULES = {"ledger", "scenes", "store", "tables"}
+MODULES = {
+    "ledger": "studies.ledger", "scenes": "scenes", "store": "files.store", "tables": "tables",
+}  # fmt: skip
 HOMES = {
-    "Outcomes": "batch", "simulate_many": "batch", "CueStroke": "cue", "Recovered": "recovery",
-    "recover": "recovery", "Sensitivity": "slopes", "sensitivity": "slopes",
-    "TimeStepping": "stepping", "EnergyGainWarning": "watch",
+    "Outcomes": "batch.many", "simulate_many": "batch.many", "CueStroke": "cue",
+    "Recovered": "studies.recovery", "recover": "studies.recovery",
+    "Sensitivity": "studies.sensitivity", "sensitivity": "studies.sensitivity",
+    "TimeStepping": "engines.stepping", "EnergyGainWarning": "watch",
 }  # fmt: skip
 
 
@@ -35,15 +42,15 @@ def __getattr__(name: str) -> Any:
     from importlib import import_module
 
     if name in MODULES:
-        return import_module(f".{name}", __name__)
+        return import_module(f".{MODULES[name]}", __name__)
     if name in HOMES:
         return getattr(import_module(f".{HOMES[name]}", __name__), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:
-    """Return what there is to use, loaded or not: a prompt completes names by it."""
-    return sorted(__all__)
+    """What there is for everybody, loaded or not, so that completion finds it."""
+    return [*__all__, "__version__"]
 
 
 __all__ = [

@@ -8,12 +8,13 @@ import sys
 from math import hypot, inf
 from typing import NoReturn
 
-from . import commandline, scenes, sweep, tables
-from .batch import NUMBERS
-from .engine import EventBudgetError, EventDriven
+from . import commandline, scenes, tables
+from .batch import sweep
+from .batch.many import NUMBERS
+from .engines.exact import EventBudgetError, EventDriven
+from .engines.stepping import SCHEMES, TimeStepping
 from .log import Event
-from .stepping import SCHEMES, TimeStepping
-from .trace import trace
+from .studies.trace import trace
 from .world import World
 
 LAWS = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM}
@@ -183,7 +184,7 @@ def write(world: World, rate: float, file: str) -> None:
 
 def draw(world: World, other: World | None, options: argparse.Namespace) -> None:
     """The picture, titled with the first sentence of the scene."""
-    from . import plot
+    from .studies import plot
 
     title = (
         (scenes.SCENES[options.name].__doc__ or options.name)

@@ -213,10 +213,10 @@ class ThesisBall:
 class HertzCluster:
     """The accurate law for clusters of touching balls: contacts that are springs of Hertz.
 
-    Its equations are in physics/hertz.py. Balls whose gaps are below `gap`, m, count as touching:
-    real ones do below 0.1 to 0.4 mm, the length of a contact in time. e: restitution, above 0; None
-    is the ball law's own. Friction between the balls is the ball law's. World.cluster_law takes it,
-    with the engine EventDriven; a pair alone goes by the ball law.
+    Its equations are in physics/engines/hertz.py. Balls whose gaps are below `gap`, m, count as
+    touching: real ones do below 0.1 to 0.4 mm, the length of a contact in time. e: restitution,
+    above 0; None is the ball law's own. Friction between the balls is the ball law's.
+    World.cluster_law takes it, with the engine EventDriven; a pair alone goes by the ball law.
     """
 
     e: float | None = None

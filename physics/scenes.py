@@ -6,7 +6,7 @@ from math import sqrt
 from . import laws, tables
 from .ball import Ball
 from .cloth import Cloth
-from .engine import EventDriven
+from .engines.exact import EventDriven
 from .shot import Shot, direction
 from .wall import Wall
 from .world import World

@@ -9,7 +9,7 @@ from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from .ball import Ball
-from .engine import EventBudgetError
+from .engines.exact import EventBudgetError
 from .kernel.body import Body, twin_grid
 from .kernel.flight import aloft
 from .kernel.motion import length

@@ -10,13 +10,13 @@ from . import laws
 from .ball import DISTURBED, Ball, Clock, Placed
 from .checks import finite, nonnegative, truth
 from .cloth import Cloth, a_cloth
-from .engine import Engine, EventDriven, an_engine
+from .engines.exact import Engine, EventDriven, an_engine
+from .files.record import foresees
 from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_scene
 from .kernel.motion import OFF, RESTING
 from .log import Log
 from .parting import part
 from .places import check_places
-from .record import foresees
 from .shot import Shot
 from .wall import Wall
 

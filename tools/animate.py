@@ -17,13 +17,13 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 
 import pygame
 
+from danggu.players.positions import SHELF
+from danggu.rules.stroke import stroke
 from game import options
 from game.__main__ import new_game
-from game.actions import Action
 from game.app import App
-from game.match.positions import SHELF
-from game.match.stroke import stroke
-from game.setup import size
+from game.session.action import Action
+from game.table.presets import size
 
 DOCS = Path(__file__).parent.parent / "docs"
 FPS, AIMING, AFTER, VERDICT = 20, 1.1, 0.3, 1.2

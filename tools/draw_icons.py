@@ -9,9 +9,11 @@ from pathlib import Path
 
 import pygame
 
-from game.render import cloth, lines, shapes, theme
-from game.render.balls import BallSprites
+from game.render import theme
 from game.render.layout import Layout
+from game.render.parts import shapes
+from game.render.table import bed, lines
+from game.render.table.balls import BallSprites
 
 ASSETS = Path(__file__).parent.parent / "assets"
 SIDE = 512
@@ -35,7 +37,7 @@ def icon() -> pygame.Surface:
 def _cloth(ground: pygame.Surface) -> None:
     """Paint cloth that is lit in its middle."""
     blue = theme.CLOTHS["blue"]
-    nap = cloth.texture(Layout((2560, 1440), 2.448, 1.270), SIDE, SIDE)
+    nap = bed.texture(Layout((2560, 1440), 2.448, 1.270), SIDE, SIDE)
     pixels = pygame.surfarray.pixels3d(ground)
     for i in range(SIDE):
         for j in range(SIDE):

@@ -29,7 +29,7 @@ def words(language: str, changed: Mapping[str, str] | None = None) -> dict[str, 
 
 @lru_cache(maxsize=16)
 def _words(language: str, changed: tuple[tuple[str, str], ...]) -> dict[str, str]:
-    from game.keys import Keys  # which needs pygame: not to print --help
+    from game.input.bindings import Keys  # which needs pygame: not to print --help
 
     found, names = LANGUAGES[language], Keys(dict(changed)).names
 

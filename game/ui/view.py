@@ -7,28 +7,28 @@ from math import dist
 
 import pygame
 
-from game.actions import Action
-from game.play import Game
-from game.preferences import Preferences
+from game.aim.spread import Spread
+from game.input.composing import Composition
+from game.input.pointer import SLACK, Pointer
+from game.input.text_field import TextField
+from game.render.font import Type
 from game.render.layout import Layout
-from game.render.text import Type
-from game.spread import Spread
-from game.textfield import TextField
+from game.session.action import Action
+from game.session.session import Game
+from game.settings.preferences import Preferences
 
-from . import help as page
-from . import question
-from .composing import Composition
-from .marks import aiming
-from .menu import Menu
-from .pages import Page
-from .panels import shot_parts
-from .parts import Part, Sight, fixed_parts
-from .question import Question
-from .rules import Rules
-from .sheet import Sheet
-from .shelf import Shelf
-from .stage import Stage
-from .touch import SLACK, Pointer
+from .pages import help as page
+from .pages import question
+from .pages.menu import Menu
+from .pages.page_parts import Page
+from .pages.question import Question
+from .pages.rules_page import Rules
+from .pages.settings_page import Sheet
+from .pages.shelf import Shelf
+from .panels.parts import Part, Sight, fixed_parts
+from .panels.shot_panels import shot_parts
+from .table.marks import aiming
+from .table.stage import Stage
 
 STILL = 0.15
 """Seconds after which an aim counts as still."""

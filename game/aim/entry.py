@@ -1,0 +1,233 @@
+"""The one aim state: five texts, the numbers they mean, and which box is being edited."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import lru_cache
+from math import isfinite
+
+from game.input.numerals import MINUS, hopeless, plain, shown, typed, value
+from game.input.text_field import TextField
+from physics import Shot
+
+from .tip import Tip, tip_of
+
+__all__ = ["BOXES", "MINUS", "MOST", "Aim", "Fault", "fault", "plain", "shown", "typed", "value"]
+
+BOXES = ("speed", "follow", "masse", "side", "angle")
+"""V, Wx·R, Wy·R, Wz·R and the angle, as `physics.Shot` calls them, in the order of the boxes."""
+MOST = {"speed": 50.0, "follow": 100.0, "masse": 100.0, "side": 100.0, "angle": 3600.0}
+"""Largest size of each number: far beyond any cue, and what the window can still follow."""
+LONGEST = 16
+"""Characters a box takes."""
+CUT = "…"
+"""What a text ends with that did not fit: so it is no number, and says why."""
+START = ("3.5", "1", "0", "2", "34.5")
+"""What the boxes hold at first: on the medium table it makes both reds, over five cushions."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """Why a box has no usable number: "empty" "number" "finite" "positive" or "most"."""
+
+    box: int
+    reason: str
+
+
+@lru_cache(maxsize=256)
+def fault(box: int, text: str) -> Fault | None:
+    """Return what is wrong with the text of a box, or None."""
+    if not text.strip():
+        return Fault(box, "empty")
+    try:
+        number = value(text)
+    except ValueError:
+        return Fault(box, "number")
+    if not isfinite(number):
+        return Fault(box, "finite")
+    if BOXES[box] == "speed" and number <= 0.0:
+        return Fault(box, "positive")
+    if abs(number) > MOST[BOXES[box]]:
+        return Fault(box, "most")
+    return None
+
+
+@dataclass(slots=True)
+class Aim:
+    """What the next shot will be.
+
+    `box` is the one being edited, or None in play; `complete` says that RETURN may shoot, once;
+    `wrong` that an entry was refused and no good shot has followed yet.
+    """
+
+    texts: list[str] = field(default_factory=lambda: list(START))
+    box: int | None = None
+    complete: bool = True
+    wrong: bool = False
+    left: set[int] = field(default_factory=set)
+    """Boxes that have been left since editing began: only their faults are shown."""
+    _edited: TextField = field(default_factory=TextField)
+    _held: tuple[Tip, list[str]] | None = None
+    """The tip point that was set last, and what the first four boxes were then given."""
+
+    @property
+    def faults(self) -> list[Fault]:
+        """Everything that keeps the entry from being a shot, in the order of the boxes."""
+        found = (fault(i, text) for i, text in enumerate(self.texts))
+        return [f for f in found if f is not None]
+
+    @property
+    def shown_faults(self) -> list[Fault]:
+        """The faults to point at: not those of boxes the player has not come to yet.
+
+        Nor that of the box being edited, as long as more characters may make a number of it.
+        """
+        if self.wrong:
+            return self.faults
+        return [fault for fault in self.faults if self._shows(fault)]
+
+    def _shows(self, fault: Fault) -> bool:
+        if fault.box == self.box:
+            return hopeless(self.texts[fault.box])
+        return fault.box in self.left
+
+    @property
+    def shot(self) -> Shot | None:
+        """The shot that the five texts mean, or None."""
+        if self.faults:
+            return None
+        return Shot(**dict(zip(BOXES, map(value, self.texts), strict=True)))
+
+    def number(self, name: str) -> float | None:
+        """The number in one box, while the rest of the entry may still be missing."""
+        box = BOXES.index(name)
+        return None if fault(box, self.texts[box]) else value(self.texts[box])
+
+    @property
+    def angle(self) -> float | None:
+        """The angle alone, degrees."""
+        return self.number("angle")
+
+    @property
+    def edited(self) -> TextField | None:
+        """The text of the box being edited, with its caret; None in play."""
+        if self.box is None:
+            return None
+        if self._edited.text != self.texts[self.box]:
+            self._edited = TextField(self.texts[self.box], LONGEST)
+        return self._edited
+
+    def edit(self, box: int = 0, clear: bool = False) -> None:
+        """Begin or go on editing at `box`, all of it selected; `clear` empties all five first."""
+        if clear:
+            self.texts = [""] * len(BOXES)
+        if self.box is None:
+            self.left = set()
+        else:
+            self.left.add(self.box)
+        self.box, self.complete = box % len(BOXES), False
+        self._edited = TextField(self.texts[self.box], LONGEST)
+
+    def type(self, text: str) -> bool:
+        """Put characters at the caret, or in place of what is selected.
+
+        Returns whether there was room for all: a longer text ends so that it can be no number.
+        """
+        edited, added = self.edited, typed(text)
+        if edited is None or not added:
+            return True
+        room = LONGEST - len(edited.text) + len(edited.selected)
+        fits = len(added) <= room
+        if not fits and len(added) > 1:
+            added = added[: max(room - len(CUT), 0)] + CUT
+        self._change(lambda field: field.type(added[:room]) if room else None)
+        return fits
+
+    def erase(self) -> None:
+        """Delete the character before the caret, or what is selected."""
+        self._change(TextField.erase)
+
+    def delete(self) -> None:
+        """Delete the character after the caret, or what is selected."""
+        self._change(TextField.delete)
+
+    def go(self, to: str | int) -> None:
+        """Move the caret, as `TextField.go` does."""
+        self._change(lambda field: field.go(to))
+
+    def _change(self, change: Callable[[TextField], object]) -> None:
+        edited = self.edited
+        if edited is not None and self.box is not None:
+            change(edited)
+            self.texts[self.box] = edited.text
+
+    def enter(self) -> None:
+        """Go to the next box; after the last one the entry is complete, if it can be read."""
+        if self.box is None:
+            return
+        if self.box < len(BOXES) - 1:
+            self.edit(self.box + 1)
+        else:
+            self.leave()
+            self.finish()
+
+    def leave(self) -> None:
+        """Stop editing."""
+        if self.box is not None:
+            self.left.add(self.box)
+        self.box = None
+
+    def finish(self) -> bool:
+        """Declare the entry complete; returns whether it can be shot."""
+        self.complete = not self.faults
+        self.wrong = self.wrong or not self.complete
+        return self.complete
+
+    def put(self, places: int = 2, /, **numbers: float) -> None:
+        """Write numbers into boxes by name, rounded to so many places."""
+        for name, number in numbers.items():
+            self.texts[BOXES.index(name)] = plain(number, places)
+
+    @property
+    def tip(self) -> Tip | None:
+        """Where the tip must meet the ball for the speed and the spins; None while one is missing.
+
+        The boxes are rounded: while they hold what `hold` has written, it is what was held.
+        """
+        if self._held and self._held[1] == self.texts[:4]:
+            return self._held[0]
+        if any(BOXES[fault.box] != "angle" for fault in self.faults):
+            return None
+        return tip_of(Shot(**dict(zip(BOXES[:4], map(value, self.texts[:4]), strict=True))))
+
+    def hold(self, tip: Tip, speed: float | None = None) -> bool:
+        """Write the spins of a tip point for the speed, which stays if it is None.
+
+        Returns whether there is a speed: without one a tip point gives no spins.
+        """
+        if speed is not None:
+            self.put(speed=speed)
+        known = self.number("speed")
+        if known is None:
+            return False
+        self.put(**tip.spins(known))
+        self._held = tip, self.texts[:4]
+        return True
+
+    def speed(self, speed: float) -> None:
+        """Write a speed, and the spins that the same tip point then gives."""
+        tip = self.tip
+        if tip is None:
+            self.put(speed=speed)
+        elif tip.elevation is not None:
+            self.hold(tip, speed)
+        else:
+            now, *spins = map(value, self.texts[:4])
+            share = speed / now
+            self.put(speed=speed, **{n: share * w for n, w in zip(BOXES[1:4], spins, strict=True)})
+
+    def spent(self) -> None:
+        """The shot has been played: the next one needs a new entry."""
+        self.complete = self.wrong = False
+        self.left = set()

@@ -1,0 +1,1 @@
+"""What keys, characters and the mouse mean."""

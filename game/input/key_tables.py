@@ -1,0 +1,164 @@
+"""Tables of keys: which action each means, in play, in a box, and with Shift, Ctrl or Alt."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import pygame
+
+from game.aim.entry import BOXES, typed
+from game.session.action import Action
+
+ALWAYS = {
+    pygame.K_F1: Action("help"),
+    pygame.K_F2: Action("language"),
+    pygame.K_F3: Action("settings"),
+    pygame.K_F4: Action("sheet", "shelf"),
+    pygame.K_F5: Action("sheet", "rules"),
+    pygame.K_F10: Action("sheet", "menu"),
+}
+PLAY = {
+    pygame.K_LEFT: Action("edit", 0),
+    pygame.K_RIGHT: Action("clear"),
+    pygame.K_DOWN: Action("place"),
+    pygame.K_SPACE: Action("stop"),
+    pygame.K_RETURN: Action("shoot"),
+    pygame.K_KP_ENTER: Action("shoot"),
+    pygame.K_TAB: Action("edit", 0),
+    pygame.K_p: Action("pause"),
+    pygame.K_PERIOD: Action("frame"),
+    pygame.K_e: Action("engine"),
+    pygame.K_l: Action("law"),
+    pygame.K_r: Action("retry"),
+    pygame.K_a: Action("aids"),
+    pygame.K_m: Action("mute"),
+    pygame.K_END: Action("skip"),
+    pygame.K_HOME: Action("home"),
+    pygame.K_COMMA: Action("back"),
+    pygame.K_LEFTBRACKET: Action("faster", -1),
+    pygame.K_RIGHTBRACKET: Action("faster", 1),
+    pygame.K_z: Action("undo"),
+    pygame.K_y: Action("redo"),
+    pygame.K_q: Action("turn", "1"),
+    pygame.K_w: Action("turn", "-1"),
+    pygame.K_PAGEUP: Action("push", "0.5"),
+    pygame.K_PAGEDOWN: Action("push", "-0.5"),
+    pygame.K_t: Action("thicker", 1),
+    pygame.K_c: Action("centre"),
+    pygame.K_f: Action("fan"),
+    pygame.K_n: Action("both"),
+    pygame.K_b: Action("arrange"),
+    pygame.K_ESCAPE: Action("sheet", "menu"),
+}
+EDITING = {
+    pygame.K_RETURN: Action("enter"),
+    pygame.K_KP_ENTER: Action("enter"),
+    pygame.K_ESCAPE: Action("leave"),
+}
+
+FINER = {"turn": ("0.1", "0.01"), "push": ("0.1", "0.01")}
+"""What these take a step of with Shift and with Ctrl, degrees and m/s."""
+SHIFTED = {
+    Action("frame"): Action("event", 1),
+    Action("back"): Action("event", -1),
+    Action("undo"): Action("redo"),
+    Action("thicker", 1): Action("thicker", -1),
+}
+SIDEWAYS = {pygame.K_LEFT: 1, pygame.K_RIGHT: -1}
+CUE = {
+    pygame.K_LEFT: ("nudge", "-{} 0", "0.05", "0.01"),
+    pygame.K_RIGHT: ("nudge", "{} 0", "0.05", "0.01"),
+    pygame.K_UP: ("nudge", "0 {}", "0.05", "0.01"),
+    pygame.K_DOWN: ("nudge", "0 -{}", "0.05", "0.01"),
+    pygame.K_PAGEUP: ("tilt", "{}", "5", "1"),
+    pygame.K_PAGEDOWN: ("tilt", "-{}", "5", "1"),
+}
+"""Keys that move the cue while Alt is held: action, value, and its step without and with Shift."""
+FIRST = frozenset("0123456789+-")
+"""Characters with which an entry may begin in play."""
+KEYPAD = {getattr(pygame, f"K_KP{n}"): str(n) for n in range(10)}
+"""Digits of the number pad: without text input they come without a character."""
+HELD = frozenset({"turn", "push", "nudge", "tilt", "frame", "back", "erase", "delete", "caret"})
+"""Actions that go on while their key is held."""
+
+
+def of_key(
+    event: pygame.event.Event,
+    box: int | None,
+    texts: bool,
+    play: Mapping[int, Action] = PLAY,
+    always: Mapping[int, Action] = ALWAYS,
+) -> Action | None:
+    """Return what a KEYDOWN means while `box` is edited, or in play (None).
+
+    `texts` says that a TEXTINPUT follows for each character: then the key itself is none. `play`
+    and `always` are the tables of keys in use.
+    """
+    key, mod = event.key, getattr(event, "mod", 0)
+    if key in always:
+        return always[key]
+    if key in (pygame.K_RETURN, pygame.K_KP_ENTER) and mod & pygame.KMOD_CTRL:
+        return Action("fire")
+    if box is None and mod & (pygame.KMOD_SHIFT | pygame.KMOD_CTRL | pygame.KMOD_ALT):
+        special = _modified(key, mod, play)
+        if special is not None:
+            return special
+    if mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
+        return None
+    if key == pygame.K_TAB:
+        return _tab(box, bool(mod & pygame.KMOD_SHIFT))
+    text = "" if texts else character(event)
+    if box is not None:
+        return EDITING.get(key) or _characters(text)
+    return play.get(key) or _first_character(text)
+
+
+def character(event: pygame.event.Event) -> str:
+    """Return the character that a KEYDOWN gives where no TEXTINPUT follows, or ""."""
+    return getattr(event, "unicode", "") or KEYPAD.get(event.key, "")
+
+
+def _modified(key: int, mod: int, play: Mapping[int, Action]) -> Action | None:
+    """What a key means in play with Shift, Ctrl or Alt held."""
+    shift, ctrl = bool(mod & pygame.KMOD_SHIFT), bool(mod & pygame.KMOD_CTRL)
+    if mod & pygame.KMOD_ALT:
+        if ctrl or key not in CUE:
+            return None
+        name, value, step, finer = CUE[key]
+        return Action(name, value.format(finer if shift else step))
+    if key in SIDEWAYS:
+        return finer_step("turn", SIDEWAYS[key], ctrl)
+    action = play.get(key)
+    if action is None:
+        return None
+    if action.name in FINER:
+        return finer_step(action.name, -1 if str(action.value).startswith("-") else 1, ctrl)
+    if ctrl and action.name in ("undo", "redo"):
+        return Action("redo") if shift else action
+    return SHIFTED.get(action) if shift and not ctrl else None
+
+
+def finer_step(name: str, way: int, finest: bool) -> Action:
+    """A small step of an action that way (1 or -1)."""
+    return Action(name, ("" if way > 0 else "-") + FINER[name][finest])
+
+
+def of_text(event: pygame.event.Event, box: int | None) -> Action | None:
+    """What a TEXTINPUT means: characters for a box, or in play the beginning of an entry."""
+    return _characters(event.text) if box is not None else _first_character(event.text)
+
+
+def _tab(box: int | None, back: bool) -> Action:
+    if box is None:
+        return Action("edit", len(BOXES) - 1 if back else 0)
+    return Action("edit", (box + (-1 if back else 1)) % len(BOXES))
+
+
+def _first_character(text: str) -> Action | None:
+    """A digit or a sign in play begins an entry; all else is a shortcut there, or nothing."""
+    return _characters(text) if typed(text)[:1] in FIRST else None
+
+
+def _characters(text: str) -> Action | None:
+    text = typed(text)
+    return Action("type", text) if text else None

@@ -1,0 +1,1 @@
+"""The table, true to scale: cloth, rails, balls, cue and lines."""

@@ -1,0 +1,1 @@
+"""What is played on: tables to begin with, and where balls lie on them."""

@@ -1,0 +1,182 @@
+"""Set-ups: how balls lie on a table, perhaps with a shot, as one line of text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import isfinite
+from typing import TYPE_CHECKING
+
+from danggu.players.positions import SAGU, SHELF, Position, opening
+from game.aim.entry import BOXES, fault
+from game.text import words
+from physics import Ball, EventDriven, World
+
+from . import presets
+
+if TYPE_CHECKING:
+    from game.session.session import Game
+
+Place = tuple[float, float]
+MARK = "danggu1"
+"""First word of a line: what it is, and the version of the format."""
+LONGEST_LINE = 4000
+TOUCHING = 5e-10
+"""Metres by which balls that touch may seem to overlap, for their places are rounded: half of what
+a world lets pass, so that it takes what is taken here."""
+
+
+class LineError(ValueError):
+    """A line that is no set-up: `reason` is a key of the texts, `word` what is wrong."""
+
+    def __init__(self, reason: str, word: str = "") -> None:
+        self.reason, self.word = reason, word[:24]
+        super().__init__(words("en")[f"line.{reason}"].format(word=self.word))
+
+
+@dataclass(frozen=True, slots=True)
+class Lineup:
+    """Balls by name with their places in metres on a table or a scene, and a shot's five texts.
+
+    `table` is a key of `presets.TABLES` or `presets.SCENES`; `texts` is empty without a shot.
+    """
+
+    table: str
+    balls: tuple[tuple[str, Place], ...]
+    texts: tuple[str, ...] = ()
+
+    def line(self) -> str:
+        """The set-up in one line, to the last bit; `read` takes it back."""
+        parts = [MARK, self.table]
+        parts += [f"{name.replace(' ', '_')}={x!r},{y!r}" for name, (x, y) in self.balls]
+        return " ".join(parts + ["shot=" + ",".join(self.texts)] * bool(self.texts))
+
+    def world(self) -> World:
+        """The table with these balls at rest."""
+        world, places = _table(self.table), dict(self.balls)
+        if self.table in presets.TABLES:
+            for ball in _balls(self.table, [*places]).values():
+                world.add(ball)
+        world.stop()
+        for ball in world.balls:
+            ball.spin = (0.0, 0.0, 0.0)
+            ball.position = places[ball.name]
+        return world
+
+
+def read(line: str) -> Lineup:
+    """The set-up in a line; LineError says what is wrong with it."""
+    parts = line.split()
+    if len(line) > LONGEST_LINE or not parts or parts[0] != MARK:
+        raise LineError("mark", parts[0] if parts else "")
+    if len(parts) < 2 or parts[1] not in (*presets.TABLES, *presets.SCENES):
+        raise LineError("table", parts[1] if len(parts) > 1 else "")
+    texts: tuple[str, ...] = ()
+    if parts[-1].startswith("shot="):
+        texts = _shot(parts.pop())
+    balls = tuple(_ball(word) for word in parts[2:])
+    found = Lineup(parts[1], balls, texts)
+    _check(found)
+    return found
+
+
+def _ball(word: str) -> tuple[str, Place]:
+    name, _, place = word.partition("=")
+    try:
+        x, y = map(float, place.split(","))
+    except ValueError:
+        raise LineError("ball", word) from None
+    if not name or not (isfinite(x) and isfinite(y)):
+        raise LineError("ball", word)
+    return name.replace("_", " "), (x, y)
+
+
+def _shot(word: str) -> tuple[str, ...]:
+    texts = tuple(word.removeprefix("shot=").split(","))
+    if len(texts) != len(BOXES) or any(fault(i, text) for i, text in enumerate(texts)):
+        raise LineError("shot", word)
+    return texts
+
+
+def _check(found: Lineup) -> None:
+    """LineError for balls that are unknown, there twice, missing, outside or in each other."""
+    names = [name for name, _ in found.balls]
+    if len({*names}) < len(names):
+        raise LineError("twice", next(n for n in names if names.count(n) > 1))
+    balls = _balls(found.table, names)
+    for name in names:
+        if name not in balls:
+            raise LineError("name", name)
+    lost = [ball.name for ball in _table(found.table).balls if ball.name not in names]
+    if lost or not names:
+        raise LineError("missing", ", ".join(lost))
+    walls = _table(found.table).walls
+    for i, (name, at) in enumerate(found.balls):
+        if any(wall.distance(at) < balls[name].radius - TOUCHING for wall in walls):
+            raise LineError("outside", name)
+        for other, spot in found.balls[:i]:
+            apart = abs(complex(*at) - complex(*spot))
+            if apart < balls[name].touching_distance(balls[other]) - TOUCHING:
+                raise LineError("overlap", f"{other}, {name}")
+
+
+def _table(table: str) -> World:
+    """A table without balls, or a scene with its own."""
+    return presets.TABLES[table].world() if table in presets.TABLES else presets.scene_world(table)
+
+
+def _balls(table: str, names: list[str]) -> dict[str, Ball]:
+    """Those balls of a table that are called `names`, new and wherever they lie."""
+    if table in presets.TABLES:
+        kind = presets.TABLES[table]
+        known = (*presets.BALLS, "red")
+        return {
+            name: Ball(name, (0.0, 0.0), radius=kind.radius, mass=kind.mass)
+            for name in names
+            if name in known
+        }
+    return {ball.name: ball for ball in presets.scene_world(table).balls if ball.name in names}
+
+
+def of(game: Game, *, shot: bool = False) -> Lineup:
+    """How the balls of a game lie, with the numbers in the boxes if they are asked for.
+
+    Those that fixed steps have left in each other are parted: a line has to be read again.
+    """
+    world = game.world.copy()
+    world.engine = EventDriven()
+    world.part()
+    balls = tuple((ball.name, ball.position) for ball in world.balls)
+    texts = tuple(game.aim.texts) if shot and game.aim.shot else ()
+    return Lineup(game.table, balls, texts)
+
+
+# -- the shelf -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Ready:
+    """A set-up that comes with the program: its group and the key of its name."""
+
+    group: str
+    key: str
+    lineup: Lineup
+
+
+def shelf() -> Iterator[Ready]:
+    """Every ready set-up: both games' positions, openings first, then the physics scenes."""
+    for group, table in (("sagu", "medium"), ("three_cushion", "match")):
+        positions = [opening(group), *(p for p in SHELF if p.game == group)]
+        for position in positions:
+            yield Ready(group, position.key, _of_position(position, table))
+    for name in presets.SCENES:
+        world = presets.scene_world(name)
+        balls = tuple((ball.name, ball.position) for ball in world.balls)
+        yield Ready("scenes", name, Lineup(name, balls))
+
+
+def _of_position(position: Position, table: str) -> Lineup:
+    kind = presets.TABLES[table]
+    spots = position.on(kind.length, kind.width)
+    reds = ("red1", "red2") if position.game == SAGU else ("red",)
+    return Lineup(table, tuple((name, spots[name]) for name in ("white", "yellow", *reds)))

@@ -1,0 +1,1 @@
+"""The pages that lie over the table until they are closed."""

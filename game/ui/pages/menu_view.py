@@ -1,0 +1,223 @@
+"""How the game menu looks and where its parts are: the game at the left, players at the right."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import pygame
+
+from game.render import theme
+from game.render.layout import Layout
+from game.render.parts import shapes, text_line
+from game.render.parts.text_line import Line
+from game.render.theme import ACCENT, LINE_INPUT, PANEL_RAISED
+from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, SKILLS, Fixture
+from game.ui.panels.parts import Sight
+
+from . import page_parts
+
+if TYPE_CHECKING:
+    from .menu import Menu, Row
+
+BUTTONS = ("start", "shelf", "rules", "help", "settings", "quit")
+ROW, STRIDE = 38, 46
+HEAD = 26
+ARROW = 30
+LABEL = 132
+SIZE = 15
+"""Of the text of a row."""
+GROUP = 10
+"""Room above a player's rows."""
+
+
+class Spot(NamedTuple):
+    """A part of the menu: place in the order of focus, or -1; step of an arrow, or what else."""
+
+    place: int
+    step: int = 0
+    other: str = ""
+
+
+NOTHING, OUTSIDE, CLOSE = Spot(-1), Spot(-1, 0, "outside"), Spot(-1, 0, "close")
+
+
+# -- where things are ----------------------------------------------------------------------------
+
+
+def row_rect(rows: Sequence[Row], place: int, layout: Layout) -> pygame.Rect:
+    """Return where a row is."""
+    area, gap = page_parts.inside(layout), layout.px(32)
+    right = next((i for i, row in enumerate(rows) if row.name == "players"), len(rows))
+    column = place >= right
+    index = place - right if column else place
+    wide = (area.w - gap) // 2
+    groups = max(rows[place].seat, -1) + 1 if column else 0
+    top = area.y + layout.px(HEAD) + layout.px(STRIDE * index + GROUP * groups)
+    return pygame.Rect(area.x + column * (wide + gap), top, wide, layout.px(ROW))
+
+
+def arrows(rect: pygame.Rect, layout: Layout) -> tuple[pygame.Rect, pygame.Rect]:
+    """Return the two arrows of a row's box."""
+    side = layout.px(ARROW)
+    box = value_rect(rect, layout)
+    return (
+        pygame.Rect(box.x, box.y, side, box.h),
+        pygame.Rect(box.right - side, box.y, side, box.h),
+    )
+
+
+def value_rect(rect: pygame.Rect, layout: Layout) -> pygame.Rect:
+    """Return the box with a row's value."""
+    left = layout.px(LABEL)
+    return pygame.Rect(rect.x + left, rect.y, rect.w - left, rect.h)
+
+
+def text_window(rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+    """Return the room for the text of a row, between the arrows that it may have."""
+    return value_rect(rect, sight.layout).inflate(-2 * sight.layout.px(ARROW + 4), 0)
+
+
+def button_rects(layout: Layout) -> list[pygame.Rect]:
+    """Return the buttons below the rows, the primary one first and wider."""
+    area, height = page_parts.inside(layout), layout.px(page_parts.BUTTON)
+    bar = pygame.Rect(area.x, area.bottom - height, area.w, height)
+    return page_parts.row_of(bar, (1.7, 1, 1, 1, 1, 1), layout.px(10))
+
+
+def spot_at(at: tuple[int, int], sight: Sight, rows: Sequence[Row]) -> Spot:
+    """Return what is at a point of the window."""
+    layout = sight.layout
+    if not page_parts.panel(layout).collidepoint(at):
+        return OUTSIDE
+    if page_parts.close_rect(layout).collidepoint(at):
+        return CLOSE
+    for place, row in enumerate(rows):
+        rect = row_rect(rows, place, layout)
+        if rect.collidepoint(at):
+            left, right = arrows(rect, layout)
+            if row.kind == "text":
+                return Spot(place)
+            value = 1 if row.kind == "choice" and value_rect(rect, layout).collidepoint(at) else 0
+            return Spot(
+                place, -1 if left.collidepoint(at) else 1 if right.collidepoint(at) else value
+            )
+    for k, rect in enumerate(button_rects(layout)):
+        if rect.collidepoint(at):
+            return Spot(len(rows) + k)
+    return NOTHING
+
+
+# -- what it looks like --------------------------------------------------------------------------
+
+
+def draw(surface: pygame.Surface, sight: Sight, menu: Menu) -> pygame.Rect:
+    """Draw the menu and return its rectangle."""
+    w, layout, rows, over = sight.words, sight.layout, menu.rows, menu.over
+    rect = page_parts.frame(
+        surface, sight, w["menu.title"], _foot(w, menu), bool(menu.refused), over == CLOSE
+    )
+    _heads(surface, sight, menu.fixture)
+    for place, row in enumerate(rows):
+        _row(surface, sight, row_rect(rows, place, layout), menu, place, row)
+    for k, (name, spot) in enumerate(zip(BUTTONS, button_rects(layout), strict=True)):
+        focused, hot = menu.focus == len(rows) + k, over.place == len(rows) + k
+        page_parts.button(surface, spot, sight.type, w[f"menu.{name}"], focused, hot, k == 0)
+    return rect
+
+
+def _heads(surface: pygame.Surface, sight: Sight, fixture: Fixture) -> None:
+    area, s, w = page_parts.inside(sight.layout), sight.layout.s, sight.words
+    base = area.y + 12 * s
+    sight.type.draw(surface, w["menu.game.head"], (area.x, base), 13, ACCENT)
+    middle = area.x + (area.w - sight.layout.px(32)) // 2 + sight.layout.px(32)
+    if fixture.game != FREE:
+        sight.type.draw(surface, w["menu.players.head"], (middle, base), 13, ACCENT)
+        return
+    size, room = 13, area.right - middle
+    for i, line in enumerate(page_parts.wrapped(w["rule.free.1"], sight.type, size, room)):
+        at = (middle, base + (28 + 22 * i) * s)
+        sight.type.draw(surface, line, at, size, theme.TEXT_SOFT)
+
+
+def _foot(w: dict[str, str], menu: Menu) -> str:
+    row, fixture = menu.row, menu.fixture
+    if row is None:
+        return w["menu.hint.button"]
+    if menu.refused:
+        return w[f"menu.refused.{row.name}"].format(most=MOST_POINTS, length=LONGEST_NAME)
+    if row.name == "level":
+        skill = SKILLS.get(fixture.seats[row.seat].level)
+        if skill is not None:
+            numbers = {"angle": f"{skill.angle:g}", "speed": f"{100 * skill.speed:g}"}
+            return w["level.error"].format(**numbers, tip=f"{skill.tip:g}")
+    if row.kind == "number" and menu.touched:
+        return w["menu.hint.digits"]
+    return w["menu.hint." + row.kind]
+
+
+def value_word(row: Row, fixture: Fixture, w: dict[str, str]) -> str:
+    """Return what a row says."""
+    if row.name == "players":
+        return w[f"players.{len(fixture.seats)}"]
+    if row.seat >= 0:
+        seat = fixture.seats[row.seat]
+        if row.name == "name":
+            return seat.name
+        return w[f"level.{seat.level}"] if row.name == "level" else str(seat.target)
+    value = getattr(fixture, row.name)
+    if isinstance(value, bool):
+        return w["yes" if value else "no"]
+    return str(value) if isinstance(value, int) else w[f"{row.name}.{value}"]
+
+
+def _row(
+    surface: pygame.Surface, sight: Sight, rect: pygame.Rect, menu: Menu, place: int, row: Row
+) -> None:
+    s, type_, w = sight.layout.s, sight.type, sight.words
+    focused, box = menu.focus == place, value_rect(rect, sight.layout)
+    edge, width = (ACCENT, 2.0) if focused else (LINE_INPUT, 1.0)
+    shapes.box(surface, box, s, PANEL_RAISED, edge, width)
+    base = rect.centery + type_.cap(13) / 2
+    label = type_.fitted(w[f"row.{row.name}"], 13, LABEL * s - 8)
+    ink = theme.TEXT if focused else theme.TEXT_SOFT
+    type_.draw(surface, label, (rect.x, base), 13, ink)
+    _value(surface, sight, rect, menu, row, focused)
+    if row.kind != "text":
+        hot = menu.over.step if menu.over.place == place else 0
+        for way, arrow in zip((-1, 1), arrows(rect, sight.layout), strict=True):
+            _arrow(surface, arrow, s, way, focused or hot == way)
+
+
+def _value(
+    surface: pygame.Surface, sight: Sight, rect: pygame.Rect, menu: Menu, row: Row, focused: bool
+) -> None:
+    """Draw what a row says: with its caret where it is typed into."""
+    type_, w, window = sight.type, sight.words, text_window(rect, sight)
+    base = rect.centery + type_.cap(SIZE) / 2
+    line, tone = Line(type_.fitted(value_word(row, menu.fixture, w), SIZE, window.w)), theme.TEXT
+    if focused and menu.field is not None:
+        line = sight.line(menu.field)
+    if row.name == "name" and not line.whole.text:
+        usual = player_name(menu.fixture, row.seat, w)
+        line, tone = line._replace(text=type_.fitted(usual, SIZE, window.w)), theme.TEXT_FAINT
+    text_line.draw(surface, window, type_, line, SIZE, base, tone, "centre")
+
+
+def player_name(fixture: Fixture, index: int, w: dict[str, str]) -> str:
+    """Return how a player is called: the name that was given, or the usual one."""
+    seat = fixture.seats[index]
+    if seat.name:
+        return seat.name
+    if seat.level in SKILLS:
+        return w["player.computer"].format(level=w[f"level.{seat.level}"])
+    return w["player.human"].format(n=index + 1)
+
+
+def _arrow(surface: pygame.Surface, rect: pygame.Rect, s: float, way: int, hot: bool) -> None:
+    ink = theme.TEXT if hot else theme.TEXT_FAINT
+    (x, y), arm = rect.center, 4.5 * s
+    for off in (-0.4, 0.4):
+        for up in (-1, 1):
+            tip = (x + way * arm / 2 + off, y)
+            pygame.draw.aaline(surface, ink, tip, (x - way * arm / 2 + off, y + up * arm))

@@ -1,0 +1,96 @@
+"""The pages of rules, one for each game."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+
+import pygame
+
+from game.render import theme
+from game.render.parts import shapes
+from game.session.action import Action
+from game.session.session import Game
+from game.session.terms import GAMES
+from game.ui.panels.parts import Sight
+
+from . import page_parts
+
+RULES = {"free": 4, "four-ball": 7, "three-cushion": 8}
+"""How many rules each game has: "rule.free.1" and so on in the texts."""
+LINE, SPACE = 25, 9
+TAB = 34
+
+
+class Rules:
+    """Which game's page is open."""
+
+    typing = False
+
+    def __init__(self) -> None:
+        self.place = 0
+        self.over = ""
+
+    def open(self, game: Game) -> None:
+        """Begin with the game that is played."""
+        self.place = GAMES.index(game.contest.fixture.game) if game.contest else 0
+
+    def look(self, sight: Sight) -> Hashable:
+        """Return what its picture depends on."""
+        return self.place, self.over, sight.game.language
+
+    def handle(self, event: pygame.event.Event, sight: Sight) -> Action | None:
+        """Return what an event means."""
+        if event.type == pygame.KEYDOWN:
+            return self._key(event.key, sight)
+        if event.type == pygame.MOUSEMOTION:
+            self.over = self._spot(event.pos, sight)
+        elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+            spot = self._spot(event.pos, sight)
+            if spot in ("close", "outside"):
+                return Action("sheet", "")
+            if spot in GAMES:
+                self.place = GAMES.index(spot)
+        return None
+
+    def _key(self, key: int, sight: Sight) -> Action | None:
+        always = sight.preferences.keys.always.get(key)
+        if always is not None and always.name in ("language", "help", "sheet"):
+            return always
+        if key in (pygame.K_ESCAPE, pygame.K_RETURN, pygame.K_KP_ENTER):
+            return Action("sheet", "")
+        step = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_TAB: 1}.get(key, 0)
+        self.place = (self.place + step) % len(GAMES)
+        return None
+
+    def _tabs(self, sight: Sight) -> list[pygame.Rect]:
+        area, layout = page_parts.inside(sight.layout), sight.layout
+        bar = pygame.Rect(area.x, area.y, area.w, layout.px(TAB))
+        return page_parts.row_of(bar, (1, 1, 1), layout.px(8))
+
+    def _spot(self, at: tuple[int, int], sight: Sight) -> str:
+        if not page_parts.panel(sight.layout).collidepoint(at):
+            return "outside"
+        if page_parts.close_rect(sight.layout).collidepoint(at):
+            return "close"
+        tabs = zip(GAMES, self._tabs(sight), strict=True)
+        return next((game for game, rect in tabs if rect.collidepoint(at)), "")
+
+    def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
+        """Draw the page; returns its rectangle."""
+        w, s, type_ = sight.words, sight.layout.s, sight.type
+        closing = self.over == "close"
+        rect = page_parts.frame(surface, sight, w["rules.title"], w["rules.hint"], False, closing)
+        game = GAMES[self.place]
+        for name, tab in zip(GAMES, self._tabs(sight), strict=True):
+            page_parts.button(
+                surface, tab, type_, w[f"game.{name}"], name == game, name == self.over
+            )
+        area = page_parts.inside(sight.layout)
+        base = area.y + (TAB + 36) * s
+        for n in range(1, RULES[game] + 1):
+            shapes.disc(surface, (area.x + 5 * s, base - type_.cap(15) / 2), 3 * s, theme.ACCENT)
+            for line in page_parts.wrapped(w[f"rule.{game}.{n}"], type_, 15, area.w - 24 * s):
+                type_.draw(surface, line, (area.x + 22 * s, base), 15, theme.TEXT)
+                base += LINE * s
+            base += SPACE * s
+        return rect

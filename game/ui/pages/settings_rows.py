@@ -1,0 +1,70 @@
+"""The rows of the settings sheet: what each can be, what it is, and the action that changes it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from game.input.bindings import DEFAULTS
+from game.session.action import Action
+from game.session.session import Game
+from game.settings.settings import CHOICES, LOUDEST, Settings
+from game.table.presets import LAWS
+
+
+class Row(NamedTuple):
+    """A row: `kind` is "choice", "switch", "slider" or "key"; `keys` are its choices."""
+
+    name: str
+    kind: str
+    keys: tuple[str, ...] = ()
+    gap: bool = False
+    """Does a group of rows begin with it?"""
+
+
+SWITCH = ("off", "on")
+CHOSEN: tuple[Row, ...] = (
+    Row("language", "choice", CHOICES["language"]),
+    Row("table", "choice", CHOICES["table"], gap=True),
+    Row("cloth", "choice", CHOICES["cloth"]),
+    Row("law", "choice", tuple(LAWS)),
+    Row("engine", "choice", CHOICES["engine"]),
+    Row("aids", "choice", CHOICES["aids"], gap=True),
+    Row("colours", "choice", CHOICES["colours"]),
+    Row("still", "switch", SWITCH),
+    Row("sound", "switch", SWITCH, gap=True),
+    Row("volume", "slider", tuple(str(n) for n in range(LOUDEST + 1))),
+)
+KEYS: tuple[Row, ...] = tuple(Row(name, "key") for name in DEFAULTS)
+ROWS = CHOSEN + KEYS
+GAME = ("language", "table", "cloth", "law", "engine")
+"""Rows that the game knows, the others are preferences."""
+
+
+def current(row: Row, game: Game, settings: Settings) -> str:
+    """Return which of a row's keys is chosen; of none ("own" laws, a scene) some other word."""
+    if row.name in GAME:
+        return str(getattr(game, row.name))
+    if row.name == "sound":
+        return SWITCH[not settings.muted]
+    if row.name == "still":
+        return SWITCH[settings.still]
+    return str(getattr(settings, row.name))
+
+
+def chosen(row: Row, key: str, now: str) -> Action | None:
+    """Return what makes `key` the choice of a row that is at `now`; None if it is already."""
+    if key == now:
+        return None
+    if row.kind == "switch":
+        return Action("mute" if row.name == "sound" else row.name)
+    return Action(row.name, int(key) if row.kind == "slider" else key)
+
+
+def beside(row: Row, now: str, step: int) -> str:
+    """Return the key `step` places on: round the end, but not on a slider."""
+    if now not in row.keys:
+        return row.keys[0]
+    place = row.keys.index(now) + step
+    if row.kind == "slider":
+        return row.keys[min(max(place, 0), len(row.keys) - 1)]
+    return row.keys[place % len(row.keys)]

@@ -1,0 +1,269 @@
+"""The shelf: set-ups to choose by their pictures, to save by name, to copy and paste as a line."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Hashable
+from typing import NamedTuple
+
+import pygame
+
+from game.input import editing
+from game.input.text_field import TextField
+from game.render.parts import text_line
+from game.session.action import Action
+from game.session.session import Game
+from game.table import lineup
+from game.table.library import LONGEST_NAME, Library
+from game.table.lineup import MARK, LineError, Lineup
+from game.ui.panels.parts import Sight
+from game.window import clipboard
+
+from . import shelf_view
+from .shelf_view import BUTTONS, COLUMNS, GROUPS, Spot
+
+STEPS = {
+    pygame.K_LEFT: -1,
+    pygame.K_RIGHT: 1,
+    pygame.K_UP: -COLUMNS,
+    pygame.K_DOWN: COLUMNS,
+}
+ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
+LONGEST = lineup.LONGEST_LINE
+
+
+class Card(NamedTuple):
+    """A set-up on show: what it is called, by a key of the texts or by the player."""
+
+    name: str
+    own: bool
+    lineup: Lineup
+
+
+class Shelf:
+    """Which group is on show, what is in focus, and the text in the box below.
+
+    `focus` counts the cards, then comes the box, then the buttons.
+    """
+
+    def __init__(self, library: Library | None = None) -> None:
+        self.library = library or Library()
+        self.group, self.focus = 0, 0
+        self.over = Spot("")
+        self._field = TextField("", LONGEST)
+        self.said: tuple[str, str] = ("", "")
+        """Key of the texts and a word in it: what came of the last action."""
+        self._ready: list[lineup.Ready] = []
+        self._game: Game | None = None
+
+    @property
+    def cards(self) -> list[Card]:
+        """The set-ups of the group."""
+        group = GROUPS[self.group]
+        if group == "own":
+            return [Card(name, True, found) for name, found in self.library.items.items()]
+        self._ready = self._ready or list(lineup.shelf())
+        return [Card(f"position.{r.key}", False, r.lineup) for r in self._ready if r.group == group]
+
+    @property
+    def typing(self) -> bool:
+        """Do characters go into the box?"""
+        return self.focus == len(self.cards)
+
+    @property
+    def text(self) -> str:
+        """What is in the box."""
+        return self._field.text
+
+    @text.setter
+    def text(self, text: str) -> None:
+        self._field = TextField(text[:LONGEST], LONGEST, anchor=len(text[:LONGEST]))
+
+    @property
+    def field(self) -> TextField | None:
+        """The text in the box while it has the focus."""
+        return self._field if self.typing else None
+
+    def open(self, game: Game) -> None:
+        """Begin with the group of the game that is played."""
+        self._game = game
+        own = game.table if game.contest is None else game.contest.fixture.game
+        if own in ("match", "three-cushion") and self.group == 0:
+            self.group = 1
+        self.focus, self.said = 0, ("", "")
+        if self.library.faulty:
+            self.said = "shelf.broken", ""
+
+    def look(self, sight: Sight) -> Hashable:
+        """Return what its picture depends on."""
+        names, line = tuple(card.name for card in self.cards), sight.line(self._field)
+        return self.group, self.focus, self.over, line, self.said, names, sight.words["shelf.title"]
+
+    def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
+        """Draw the shelf; returns its rectangle."""
+        return shelf_view.draw(surface, sight, self)
+
+    def handle(self, event: pygame.event.Event, sight: Sight) -> Action | None:
+        """Return what an event means."""
+        self._game = sight.game
+        if event.type == pygame.KEYDOWN:
+            return self._key(event, sight)
+        if event.type == pygame.TEXTINPUT and self.typing:
+            self._type(event.text)
+        elif event.type == pygame.MOUSEMOTION:
+            self.over = shelf_view.spot_at(event.pos, sight, len(self.cards))
+        elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+            return self._press(event.pos, sight)
+        return None
+
+    def _type(self, text: str) -> None:
+        plain = unicodedata.normalize("NFC", text)
+        fits = self._field.type("".join(c for c in plain if c.isprintable()))
+        self.said = ("" if fits else "shelf.unfit", "")
+
+    def _key(self, event: pygame.event.Event, sight: Sight) -> Action | None:
+        key, mod = event.key, getattr(event, "mod", 0)
+        always = sight.preferences.keys.always.get(key)
+        if key == pygame.K_ESCAPE:
+            return Action("sheet", "")
+        if always is not None and always.name in ("language", "help", "sheet"):
+            return always
+        if self.typing and self._edit(event):
+            return None
+        if mod & pygame.KMOD_CTRL and key in (pygame.K_c, pygame.K_v):
+            return self._do("copy" if key == pygame.K_c else "paste")
+        if key == pygame.K_TAB:
+            self._tab(bool(mod & pygame.KMOD_SHIFT))
+        elif key in (pygame.K_PAGEUP, pygame.K_PAGEDOWN):
+            self._show(self.group + (1 if key == pygame.K_PAGEDOWN else -1))
+        elif key in STEPS:
+            self._go(STEPS[key])
+        elif key in ENTER:
+            return self._enter()
+        elif key == pygame.K_DELETE:
+            return self._do("delete")
+        return None
+
+    def _edit(self, event: pygame.event.Event) -> bool:
+        """Let a key edit the box, if it does; a whole set-up is still copied and pasted there."""
+        action = editing.of_key(event)
+        if action is None or (action.name == "copy" and not self._field.selected):
+            return False
+        if action.name == "paste" and clipboard.get().startswith(MARK):
+            return False
+        done = editing.with_clipboard(action, self._field)
+        self.said = ("", "")
+        if done is not None and done.name == "type":
+            self._type(str(done.value))
+        elif done is not None:
+            editing.do(self._field, done)
+        return True
+
+    def _show(self, group: int) -> None:
+        self.group, self.focus = group % len(GROUPS), 0
+        self.said = ("shelf.broken", "") if self.library.faulty and self.group == 3 else ("", "")
+
+    def _tab(self, back: bool) -> None:
+        """To the cards, the box, the first button, the next group."""
+        count = len(self.cards)
+        stops = [0, count, count + 1]
+        place = sum(self.focus >= stop for stop in stops[1:]) + (-1 if back else 1)
+        if 0 <= place < len(stops):
+            self.focus = stops[place]
+        else:
+            self._show(self.group + (-1 if back else 1))
+
+    def _go(self, step: int) -> None:
+        count = len(self.cards)
+        if self.focus < count:
+            to = self.focus + step
+            self.focus = min(max(to, 0), count)
+        elif self.typing:
+            self.focus = max(count - 1, 0) if step == -COLUMNS else count + (step == COLUMNS)
+        else:
+            place = self.focus - count - 1
+            way = (step > 0) - (step < 0)
+            self.focus = count + 1 + min(max(place + way, -1), len(BUTTONS) - 1)
+
+    def _enter(self) -> Action | None:
+        count = len(self.cards)
+        if self.focus < count:
+            return self._take(self.cards[self.focus])
+        if self.typing:
+            return self._do("paste" if self.text.startswith(MARK) else "save")
+        return self._do(BUTTONS[self.focus - count - 1])
+
+    def _take(self, card: Card) -> Action:
+        if GROUPS[self.group] == "scenes":
+            return Action("scene", card.lineup.table)
+        return Action("line", card.lineup.line())
+
+    def _press(self, at: tuple[int, int], sight: Sight) -> Action | None:
+        self.over = spot = shelf_view.spot_at(at, sight, len(self.cards))
+        match spot.kind:
+            case "close" | "outside":
+                return Action("sheet", "")
+            case "tab":
+                self._show(spot.place)
+            case "card":
+                self.focus = shelf_view.first_shown(self.focus, len(self.cards)) + spot.place
+                return self._enter() if self.focus < len(self.cards) else None
+            case "box":
+                self._place_caret(at, sight)
+            case "button":
+                self.focus = len(self.cards) + 1 + spot.place
+                return self._do(BUTTONS[spot.place])
+        return None
+
+    def _place_caret(self, at: tuple[int, int], sight: Sight) -> None:
+        """Go to the box; in it, to a place in its text."""
+        if self.typing:
+            window, line = shelf_view.text_window(sight), sight.line(self._field)
+            self._field.go(text_line.place_at(window, sight.type, line, shelf_view.SIZE, at[0]))
+        self.focus = len(self.cards)
+
+    def _do(self, name: str) -> Action | None:
+        """What a button does."""
+        assert self._game is not None
+        match name:
+            case "save":
+                self._save(self._game)
+            case "copy" | "shot":
+                self.text = lineup.of(self._game, shot=name == "shot").line()
+                self.said = ("shelf.copied" if clipboard.put(self.text) else "shelf.written"), ""
+            case "paste":
+                return self._paste()
+            case "delete":
+                self._delete()
+        return None
+
+    def _save(self, game: Game) -> None:
+        name = " ".join(self.text.split())
+        if not name or name.startswith(MARK):
+            self.focus, self.said = len(self.cards), ("shelf.unnamed", "")
+        elif self.library.put(name, lineup.of(game, shot=True)):
+            self._show(GROUPS.index("own"))
+            self.focus, self.text = len(self.cards) - 1, ""
+            self.said = "shelf.saved", name[:LONGEST_NAME]
+        else:
+            self.said = "shelf.unsaved", name[:LONGEST_NAME]
+
+    def _paste(self) -> Action | None:
+        """Take the line in the box, or else the one in the clipboard; a broken one says why."""
+        text = self.text if self.text.startswith(MARK) else clipboard.get() or self.text
+        try:
+            lineup.read(text)
+        except LineError as error:
+            self.text, self.said = text, (f"line.{error.reason}", error.word)
+            return None
+        self.text, self.said = "", ("", "")
+        return Action("line", text)
+
+    def _delete(self) -> None:
+        cards = self.cards
+        if self.focus < len(cards) and cards[self.focus].own:
+            self.library.remove(cards[self.focus].name)
+            self.said = "shelf.deleted", cards[self.focus].name
+            self.focus = max(0, min(self.focus, len(cards) - 2))
+        else:
+            self.said = "shelf.kept", ""

@@ -1,0 +1,306 @@
+"""Parts of the window around the table: a rectangle, a key that says how it looks, a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, field
+
+import pygame
+
+from game.aim.entry import BOXES, MINUS, MOST, Fault, shown
+from game.aim.spread import Spread
+from game.input.composing import Composition
+from game.input.pointer import Pointer
+from game.input.text_field import TextField
+from game.render.font import Type
+from game.render.layout import Layout
+from game.render.parts import cards, fields, icons
+from game.render.parts.text_line import Line
+from game.session.action import Action
+from game.session.session import Game, Notice
+from game.settings.preferences import Preferences
+from game.settings.settings import Settings
+from game.text import words
+
+from . import prompts
+
+Place = tuple[float, float]
+WARNINGS = ("miscue",)
+"""Notices of something that was put right, so that the shot can be played."""
+
+
+@dataclass(slots=True)
+class Sight:
+    """Everything a part draws from."""
+
+    game: Game
+    layout: Layout
+    type: Type
+    pointer: Pointer
+    preferences: Preferences
+    spread: Spread
+    mode: str = "aim"
+    """The right column: "aim" shows the next shot, "after" the last one."""
+    portrait: Callable[[int], pygame.Surface] | None = None
+    """The picture of a ball, by its place among the balls, for lists and plates."""
+    composition: Composition = field(default_factory=Composition)
+
+    @property
+    def words(self) -> dict[str, str]:
+        return words(self.game.language, self.preferences.keys.changed)
+
+    @property
+    def settings(self) -> Settings:
+        return self.preferences.settings
+
+    def line(self, edited: TextField) -> Line:
+        """How a text that is being edited looks."""
+        return Line(edited.text, edited.caret, edited.selection, self.composition.text)
+
+
+Key = Callable[[Sight], Hashable]
+Draw = Callable[[pygame.Surface, pygame.Rect, Sight], pygame.Rect]
+Touch = Callable[[Place, pygame.Rect, Sight], Action | None]
+Wheel = Callable[[int, Sight], Action | None]
+
+
+def _no_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
+    return None
+
+
+def _no_wheel(steps: int, sight: Sight) -> Action | None:
+    return None
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A piece of the window.
+
+    key: what its picture depends on; draw: paints it and returns what it touched; touch: what a
+    press of the mouse there means; wheel: what so many notches up mean; `drags` parts are touched
+    again while the mouse moves; `mode`: shown in this column only; `spill`: px at s = 1 by which
+    the picture may stand out.
+    """
+
+    name: str
+    rect: pygame.Rect
+    key: Key
+    draw: Draw
+    touch: Touch = _no_touch
+    drags: bool = False
+    mode: str = ""
+    spill: int = 0
+    wheel: Wheel = _no_wheel
+
+
+def number(value: float, places: int = 2) -> str:
+    """A number as it is written in the window."""
+    text = f"{value:.{places}f}"
+    return text.replace("-", MINUS)
+
+
+# -- the five boxes ------------------------------------------------------------------------------
+
+
+def box_part(index: int, rect: pygame.Rect) -> Part:
+    """One of the five boxes."""
+
+    def key(sight: Sight) -> Hashable:
+        return _box_look(index, sight)
+
+    def draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+        line, state = _box_look(index, sight)
+        w = sight.words
+        unit = _unit(index, w)
+        label = sight.type.fitted(_label(BOXES[index], w), 12, rect.w - 24 * sight.layout.s)
+        args = (surface, rect, sight.type, label, line.text, unit, state)
+        return fields.field(*args, line=line)
+
+    def touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
+        return _box_touch(index, at, rect, sight)
+
+    return Part(f"box {index}", rect, key, draw, touch, spill=4)
+
+
+def _label(box: str, w: dict[str, str]) -> str:
+    """The name of a box, and of a spin which way is positive."""
+    return " · ".join(w[key] for key in (f"box.{box}", f"sign.{box}") if key in w)
+
+
+def _box_touch(index: int, at: Place, rect: pygame.Rect, sight: Sight) -> Action:
+    """The first press begins to edit all of the box, the next one chooses a place in it."""
+    edited = sight.game.aim.edited
+    if edited is None or sight.game.aim.box != index:
+        return Action("edit", index)
+    unit, text = _unit(index, sight.words), shown(edited.text)
+    return Action("caret", fields.caret_at(rect, sight.type, text, at[0], unit, edited.caret))
+
+
+def _unit(index: int, w: dict[str, str]) -> str:
+    return w["unit.angle" if BOXES[index] == "angle" else "unit.speed"]
+
+
+def _box_look(index: int, sight: Sight) -> tuple[Line, str]:
+    """What is in a box, and its state."""
+    aim = sight.game.aim
+    line, edited = Line(shown(aim.texts[index])), aim.box == index
+    if edited and aim.edited is not None:
+        line = sight.line(aim.edited)._replace(text=line.text)
+    if any(f.box == index for f in aim.shown_faults):
+        state = "invalid"
+    elif edited:
+        state = "focused"
+    elif sight.pointer.over == f"box {index}":
+        state = "hover"
+    else:
+        state = "disabled" if sight.game.moving else "idle"
+    return line, state
+
+
+# -- button and hint -----------------------------------------------------------------------------
+
+
+def _shoot_look(sight: Sight) -> tuple[str, str, str]:
+    """Label, key cap and state of the button."""
+    game, w = sight.game, sight.words
+    hot = sight.pointer.over == "shoot"
+    state = ("pressed" if sight.pointer.down else "hover") if hot else "idle"
+    label, cap, action = prompts.button(game)
+    if action.name in ("fire", "next") and game.aim.shown_faults:
+        state = "disabled"
+    return w[label], w[cap] if cap else "", state
+
+
+def _shoot_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+    return fields.button(surface, rect, sight.type, *_shoot_look(sight))
+
+
+def _shoot_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
+    return prompts.button(sight.game)[2]
+
+
+def why(fault: Fault, w: dict[str, str], pattern: str = "fault") -> str:
+    """Say in words what is wrong with a box."""
+    reason = w["why." + fault.reason].format(most=f"{MOST[BOXES[fault.box]]:g}")
+    return w[pattern].format(box=w["box." + BOXES[fault.box]], why=reason)
+
+
+def hint(game: Game, w: dict[str, str]) -> tuple[str, bool]:
+    """The line of help, or of what went wrong."""
+    aim = game.aim
+    if game.notice is not None and game.notice.error:
+        return _noticed(game.notice, game, w), True
+    if aim.wrong:
+        faults = aim.faults
+        return (why(faults[0], w, "wrong"), True) if faults else (w["wrong.mended"], True)
+    if aim.shown_faults:
+        return why(aim.shown_faults[0], w), True
+    if game.notice is not None:
+        return _noticed(game.notice, game, w), False
+    return w[prompts.hint(game) or "hint." + _situation(game)], False
+
+
+def _noticed(notice: Notice, game: Game, w: dict[str, str]) -> str:
+    names = {"law": w[f"law.{game.law}"], "engine": w[f"engine.{game.engine}"]}
+    return w[f"notice.{notice.key}"].format(**names)
+
+
+def _situation(game: Game) -> str:
+    if game.paused:
+        return "paused"
+    if game.aim.box is not None:
+        return "last" if game.aim.box == len(BOXES) - 1 else "editing"
+    if game.moving:
+        return "moving"
+    if game.aim.complete:
+        return "ready"
+    return "rest" if game.shown_shot else "spent"
+
+
+def _hint_look(sight: Sight) -> tuple[str, bool, bool]:
+    """The line, whether it is an error, and whether it warns of what is done all the same."""
+    notice = sight.game.notice
+    return *hint(sight.game, sight.words), notice is not None and notice.key in WARNINGS
+
+
+def _hint_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+    return fields.hint(surface, rect, sight.type, *_hint_look(sight))
+
+
+# -- engine and read-outs ------------------------------------------------------------------------
+
+
+def badge(game: Game, w: dict[str, str]) -> tuple[str, str]:
+    """Engine and laws in use, and the table."""
+    table = w.get("table." + game.table) or w["position." + game.table]
+    if getattr(game.world.cushion_law, "creates_energy", False):
+        table = f"{w['law.creates']} · {table}"
+    return f"{w['engine.' + game.engine]} · {w['law.' + game.law]}", table
+
+
+def _short_badge(game: Game, w: dict[str, str]) -> str:
+    """Engine and laws where there is little room: neither is left out."""
+    law = w.get(f"set.law.{game.law}") or w[f"law.{game.law}"]
+    return f"{w['engine.short.' + game.engine]} · {law}"
+
+
+TOOLS = {"menu": Action("sheet", "menu"), "mute": Action("mute"), "settings": Action("settings")}
+"""The small buttons at the top right of the card, and what they do."""
+
+
+def _tools(rect: pygame.Rect, sight: Sight) -> dict[str, pygame.Rect]:
+    side = round(24 * sight.layout.s)
+    left = rect.right - round(6 * sight.layout.s) - len(TOOLS) * side
+    return {
+        name: pygame.Rect(left + i * side, rect.y + round(5 * sight.layout.s), side, side)
+        for i, name in enumerate(TOOLS)
+    }
+
+
+def _engine_key(sight: Sight) -> Hashable:
+    return badge(sight.game, sight.words), sight.preferences.audio.silent
+
+
+def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+    first, second = badge(sight.game, sight.words)
+    kept = 24 * len(TOOLS)
+    if sight.type.width(first, 13) > rect.w - (42 + kept) * sight.layout.s:
+        first = _short_badge(sight.game, sight.words)
+    cards.engine(surface, rect, sight.type, first, second, sight.words["corner"], kept=kept)
+    pictures = {"mute": "silent" if sight.preferences.audio.silent else "sound"}
+    for name, box in _tools(rect, sight).items():
+        icons.draw(surface, box, pictures.get(name, name), sight.layout.s)
+    return rect
+
+
+def _engine_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
+    for name, box in _tools(rect, sight).items():
+        if box.collidepoint(at):
+            return TOOLS[name]
+    if at[0] > rect.right - 70 * sight.layout.s and at[1] > rect.centery:
+        return Action("language")
+    return Action("engine") if at[1] < rect.centery else Action("law")
+
+
+def _readouts_key(sight: Sight) -> Hashable:
+    return tuple(number(v) for v in sight.game.readout)
+
+
+def _readouts_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+    w = sight.words
+    names = (w["read.v"], w["read.w"], w["read.wz"])
+    values = (number(v) for v in sight.game.readout)
+    items = [(name, value, w["unit.speed"]) for name, value in zip(names, values, strict=True)]
+    return cards.readouts(surface, rect, sight.type, items)
+
+
+def fixed_parts(layout: Layout) -> list[Part]:
+    """The parts that every state of the game shows."""
+    return [
+        *(box_part(i, rect) for i, rect in enumerate(layout.fields)),
+        Part("shoot", layout.shoot, _shoot_look, _shoot_draw, _shoot_touch),
+        Part("hint", layout.hint, _hint_look, _hint_draw),
+        Part("engine", layout.engine, _engine_key, _engine_draw, _engine_touch),
+        Part("read", layout.readouts, _readouts_key, _readouts_draw, mode="aim"),
+        Part("read after", layout.readouts_after, _readouts_key, _readouts_draw, mode="after"),
+    ]

@@ -1,0 +1,161 @@
+"""The match in the window: score plates, inning, and what the last stroke counted."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+
+import pygame
+
+from danggu.rules.sagu import LAST_POINT_3C
+from danggu.rules.verdict import Verdict
+from game.render.parts import cards
+from game.render.theme import ACCENT, ERROR, GOOD, TEXT, TEXT_SOFT, Colour
+from game.session.running_match import Contest
+from game.ui.pages.menu_view import player_name
+
+from .parts import Sight, number
+
+Result = tuple[str, str, str, Colour]
+
+
+def match_look(contest: Contest, sight: Sight) -> Hashable:
+    """Return what plates and inning depend on."""
+    thinking = contest.thinking, contest.share if sight.mode == "aim" else None
+    return contest.match, thinking, contest.fixture, sight.game.moving, sight.mode
+
+
+def match_draw(contest: Contest, surface: pygame.Surface, sight: Sight) -> None:
+    """Draw the plates of the players and the inning between them."""
+    first, middle, last = sight.layout.score
+    match, w = contest.match, sight.words
+    cards.inning(surface, middle, sight.type, w["score.inning"], str(match.inning))
+    _plate(surface, first, sight, contest, 0)
+    if len(match.players) > 1:
+        _plate(surface, last, sight, contest, 1)
+    else:
+        _alone(surface, last, sight, contest)
+
+
+def _plate(
+    surface: pygame.Surface, rect: pygame.Rect, sight: Sight, contest: Contest, index: int
+) -> None:
+    match = contest.match
+    sheet, target = match.sheets[index], match.players[index].target
+    playing = match.winner == index if match.finished else match.at == index
+    said, tone = _line(sight, contest, index)
+    share = sheet.score / target if target and tone is None else None
+    names = [ball.name for ball in sight.game.world.balls]
+    ball = sight.portrait(names.index(match.cue_of(index))) if sight.portrait else None
+    cards.score(
+        surface,
+        rect,
+        sight.type,
+        player_name(contest.fixture, index, sight.words),
+        said,
+        number(sheet.score, 0),
+        str(target),
+        playing,
+        ball,
+        share,
+        tone,
+    )
+
+
+def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | None]:
+    """The line under a name, and its colour if it is not the usual one."""
+    w, match = sight.words, contest.match
+    sheet = match.sheets[index]
+    if match.winner == index:
+        return _counted("score.won", sheet.innings, w), GOOD
+    parts = [
+        w["score.average"].format(n=number(sheet.average)),
+        w["score.high"].format(n=sheet.best),
+    ]
+    if sheet.fouls:
+        parts.append(w["score.fouls"].format(n=sheet.fouls))
+    if match.at != index or match.finished:
+        return " · ".join(parts), None
+    if contest.level is not None and not sight.game.moving and sight.mode == "aim":
+        return _thought(contest, w), ACCENT
+    if contest.closing:
+        last = contest.fixture.finish == LAST_POINT_3C
+        return w["score.last" if last else "score.extra"], ACCENT
+    if match.run:
+        parts.insert(0, w["score.run"].format(n=match.run))
+    return " · ".join(parts), None
+
+
+def _thought(contest: Contest, w: dict[str, str]) -> str:
+    if contest.share is None:
+        return w["score.thinking"]
+    key = "score.thinks" if contest.thinking else "score.intends"
+    return w[key].format(n=round(100 * contest.share))
+
+
+def _alone(surface: pygame.Surface, rect: pygame.Rect, sight: Sight, contest: Contest) -> None:
+    """Draw the numbers of somebody who plays alone where the other player's plate would be."""
+    s, t, w = sight.layout.s, sight.type, sight.words
+    cards.card(surface, rect, s)
+    sheet = contest.match.sheets[0]
+    values = {
+        "run": contest.match.run,
+        "best": sheet.best,
+        "fouls": sheet.fouls,
+        "strokes": sheet.strokes,
+    }
+    step = rect.w / len(values)
+    for i, (name, value) in enumerate(values.items()):
+        middle = rect.x + (i + 0.5) * step
+        label = t.fitted(w[f"alone.{name}"], 12, step - 6 * s)
+        t.draw(surface, label, (middle, rect.y + 18 * s), 12, TEXT_SOFT, "centre")
+        t.draw(surface, str(value), (middle, rect.y + 40 * s), 20, TEXT, "centre")
+
+
+# -- the last stroke -----------------------------------------------------------------------------
+
+
+def result(contest: Contest, verdict: Verdict, sight: Sight) -> Result:
+    """Badge, two lines and the badge's colour for the last stroke."""
+    w, match, index = sight.words, contest.match, contest.shooter
+    first, (badge, tone) = reason(verdict, w), counted(verdict)
+    if verdict.won:
+        name = player_name(contest.fixture, index, w)
+        sheet = match.sheets[index]
+        told = _counted("fact.innings", sheet.innings, w)
+        told += " · " + w["score.average"].format(n=number(sheet.average))
+        return badge, w["score.wins"].format(name=name), f"{told} · {first}", tone
+    return badge, first, " · ".join(_facts(contest, verdict, w)), tone
+
+
+def counted(verdict: Verdict) -> tuple[str, Colour]:
+    """Badge and its colour for what a stroke counts."""
+    if verdict.foul:
+        return number(verdict.points, 0), ERROR
+    if verdict.made:
+        return f"+{verdict.points}" if verdict.points else "✓", GOOD
+    return "0", TEXT
+
+
+def _facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
+    match, index = contest.match, contest.shooter
+    sheet, target = match.sheets[index], match.players[index].target
+    if verdict.made:
+        return [
+            w["fact.count"].format(score=sheet.score, target=target),
+            w["fact.run"].format(n=match.run),
+        ]
+    passes = w["fact.passes" if len(match.players) > 1 else "fact.inning"]
+    told = [passes] if verdict.passes else [w["fact.same"]]
+    if verdict.facts.cushions and not verdict.foul:
+        told.append(_counted("fact.cushions", verdict.facts.cushions, w))
+    return told
+
+
+def _counted(key: str, n: int, w: dict[str, str]) -> str:
+    """Say a number of something, with the singular where a language has one."""
+    return (w.get(f"{key}.{n}") or w[key]).format(n=n)
+
+
+def reason(verdict: Verdict, w: dict[str, str]) -> str:
+    """Say why a stroke counted what it did."""
+    return _counted(f"reason.{verdict.reason}", verdict.facts.cushions, w)

@@ -1,0 +1,121 @@
+"""The strip below the boxes: undo, the buttons and the speed of time, and the shot's timeline."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from math import ceil
+
+import pygame
+
+from game.aim.preview import NO_STORY, Story
+from game.render.layout import Layout
+from game.render.parts import lanes
+from game.session import timeline
+from game.session.action import Action
+from game.session.ticks import TICKS
+from game.ui.table.looks import look
+
+from .parts import Part, Place, Sight, number
+
+
+def _playing(sight: Sight) -> bool:
+    game = sight.game
+    if game.head.at is not None:
+        return game.head.playing
+    return game.moving and not game.paused
+
+
+def _buttons(sight: Sight) -> lanes.Buttons:
+    """How the buttons look: whether there is something to undo, redo and play, and the speed."""
+    game = sight.game
+    past, future = bool(game.history.past), bool(game.history.future)
+    return lanes.Buttons(past, future, _playing(sight), game.head.label)
+
+
+def key(sight: Sight) -> Hashable:
+    """What the strip depends on."""
+    game = sight.game
+    if sight.mode == "aim":
+        return "aim", game.preview_key, sight.settings.aids, _buttons(sight)
+    return game.stamp, game.began, game.readout_time, _buttons(sight)
+
+
+def draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+    """Draw it: the preview of the next shot, or the last one with its handle."""
+    game, w, args = sight.game, sight.words, (surface, rect, sight.type)
+    if sight.mode == "aim":
+        seen = game.preview if sight.settings.aids == "full" else None
+        told = seen.story if seen else NO_STORY
+        label = w["preview"].format(time=number(told.duration, 1)) if seen else ""
+        return lanes.timeline(*args, _lanes(sight, told), told.duration, label, _buttons(sight))
+    told, now = game.forecast, game.readout_time
+    length = _length(sight)
+    label = w["time"].format(now=number(now), all=number(length))
+    return lanes.timeline(*args, _lanes(sight, told), length, label, _buttons(sight), now)
+
+
+def _length(sight: Sight) -> float:
+    game = sight.game
+    return max(game.forecast.duration, timeline.end(game) / TICKS, 1e-9)
+
+
+def touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
+    """A button, or a place on the timeline: while the mouse is held it scrubs."""
+    pointer, s = sight.pointer, sight.layout.s
+    track = lanes.track(rect, s)
+    if pointer.pressing:
+        for box, action in _actions(rect, sight):
+            if box.collidepoint(at):
+                return action
+        if not track.inflate(round(16 * s), 0).collidepoint(at):
+            return None
+        pointer.grip = "time"
+    if pointer.grip != "time" or sight.mode != "after":
+        return None
+    share = min(max((at[0] - track.x) / track.w, 0.0), 1.0)
+    return Action("scrub", ceil(share * _length(sight) * TICKS))
+
+
+def _actions(rect: pygame.Rect, sight: Sight) -> list[tuple[pygame.Rect, Action]]:
+    game, s = sight.game, sight.layout.s
+    if sight.mode == "after":
+        play, back = Action("pause"), Action("home")
+    else:
+        play, back = Action("fire"), Action("retry")
+    names = [Action("undo"), Action("redo"), back, play, Action("skip")]
+    if sight.mode == "aim" and not game.shots:
+        names[2] = Action("home")
+    slower, faster = lanes.rate_halves(rect, s)
+    pairs = list(zip(lanes.buttons(rect, s), names, strict=True))
+    return [*pairs, (slower, Action("faster", -1)), (faster, Action("faster", 1))]
+
+
+def wheel(steps: int, sight: Sight) -> Action:
+    """One frame on or back a notch."""
+    return Action("back" if steps < 0 else "frame")
+
+
+def _lanes(sight: Sight, told: Story) -> list[lanes.Lane]:
+    game, colours = sight.game, sight.settings.colours
+    names = [name for name in (ball.name for ball in game.world.balls) if name in game.traced]
+    result = []
+    for place, name in enumerate(names):
+        own = [e for e in told.events if name in e.balls]
+        legs = next((lane.legs for lane in told.lanes if lane.name == name), ())
+        joins = (
+            (e.time, names.index(other))
+            for e in own
+            if e.kind == "ball"
+            for other in e.balls
+            if other != name and other in names
+        )
+        marks = {k: tuple(e.time for e in own if e.kind == k) for k in ("cushion", "rest")}
+        ink = look(name, place, colours).ui
+        lane = lanes.Lane(ink, legs, marks["cushion"], tuple(joins), marks["rest"])
+        result.append(lane)
+    return result
+
+
+def part(layout: Layout) -> Part:
+    """The strip in the window."""
+    return Part("lanes", layout.timeline, key, draw, touch, True, spill=7, wheel=wheel)

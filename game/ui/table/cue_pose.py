@@ -1,0 +1,59 @@
+"""Where the cue is: drawn back as far as the shot is hard, and through the ball after the stroke.
+
+The balls wait for nothing: the stroke is shown from the contact on, while they already run.
+"""
+
+from __future__ import annotations
+
+from math import atan2, hypot, radians
+from typing import NamedTuple
+
+from game.session.session import Game
+from game.session.timeline import moment
+
+from . import marks
+from .drag_aim import pull
+
+THROUGH = 0.07
+"""Seconds for which the cue goes on after the contact."""
+FOLLOW = 0.022
+"""Metres that it goes on for each m/s of the ball."""
+FARTHEST = 0.12
+FADE = 0.25
+"""Seconds in which it is put away then."""
+
+
+class Pose(NamedTuple):
+    """The ball it points at, m; the angle, radians; how far it is drawn back, m; its alpha."""
+
+    ball: tuple[float, float]
+    angle: float
+    back: float
+    alpha: float
+
+
+def pose(game: Game, still: bool) -> Pose | None:
+    """The cue as it is to be drawn, None while it is put away; `still` shows no stroke."""
+    if marks.aiming(game):
+        shot = None if game.arranging else game.aim.shot
+        if shot is None:
+            return None
+        at = game.world.ball(game.cue).position
+        return Pose(at, radians(shot.angle), pull(shot.speed), 1.0)
+    if not (game.shown_shot and game.shots) or still:
+        return None
+    return _stroke(game, moment(game) - game.began)
+
+
+def _stroke(game: Game, time: float) -> Pose | None:
+    if not 0.0 <= time < THROUGH + FADE:
+        return None
+    struck = game.world.log.at(game.began)[game.shooter]
+    speed = hypot(*struck.velocity)
+    if not speed:
+        return None
+    left = max(0.0, 1.0 - time / THROUGH)
+    ahead = min(FOLLOW * speed, FARTHEST) * (1.0 - left**3)
+    alpha = 1.0 - max(0.0, time - THROUGH) / FADE
+    angle = atan2(struck.velocity[1], struck.velocity[0])
+    return Pose(struck.position, angle, -ahead, round(alpha, 2))

@@ -1,0 +1,206 @@
+"""The table in layers: background, lines, balls, cue.  Only what changed is redrawn."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import ceil, cos, sin
+
+import pygame
+
+from game.aim.spread import SAMPLES, Spread
+from game.render.layout import Layout
+from game.render.table import cue_stick, lines
+from game.render.table.background import background
+from game.render.table.balls import BallSprites
+from game.render.table.fan import Fan
+from game.session.session import Game
+from game.session.timeline import moment, runs
+from game.settings.settings import Settings
+
+from . import marks
+from .ball_turns import Turns
+from .cue_pose import Pose, pose
+from .looks import look
+from .trail import Trail
+
+SHADOW = 2.3
+"""A ball with its shadow lies within this many radii of its centre."""
+Place = tuple[float, float]
+NOTHING = pygame.Rect(0, 0, 0, 0)
+FIRST = 8
+"""Samples after which the fan is shown for the first time, before it has them all."""
+LEAP = 0.25
+"""Seconds in one frame after which the balls' turns are taken from the log: they were not seen."""
+
+
+class Stage:
+    """The pictures of one table at one size of the window.
+
+    `base` is the background, `lines` the background with what lies under the balls.
+    """
+
+    def __init__(
+        self, layout: Layout, game: Game, settings: Settings, spread: Spread | None = None
+    ) -> None:
+        self.layout, self.radius = layout, game.world.balls[0].radius
+        self.base = background(layout)
+        self.lines = self.base.copy()
+        self.settings = settings
+        names = enumerate(ball.name for ball in game.world.balls)
+        self.looks = [look(name, i, settings.colours) for i, name in names]
+        self.sprites = BallSprites(layout, self.looks, self.radius)
+        self.trail, self.turns = Trail(), Turns(self.sprites)
+        self.spread, self.fan = spread or Spread(), Fan(layout)
+        self._time, self._shown = game.world.time, (game.began, game.head.at)
+        self._under: object = None
+        self._marked: list[pygame.Rect] = []
+        self._balls: list[tuple[object, pygame.Rect]] = [(None, NOTHING)] * len(self.looks)
+        self._cue: tuple[object, pygame.Rect] = (None, NOTHING)
+        self._reach = ceil(SHADOW * self.sprites.px) + 3
+
+    def follow(self, game: Game) -> None:
+        """Turn the balls as they have rolled since the last time, and let their trails grow."""
+        before, self._time = self._time, game.world.time
+        shown, self._shown = self._shown, (game.began, game.head.at)
+        new = self.turns.begin(game)
+        since = game.world.time - (game.began if new else before)
+        if game.head.at is not None or (shown != self._shown and not new) or since > LEAP:
+            if game.shown_shot:
+                self.turns.show(game, moment(game) - game.began)
+        elif since > 0.0:
+            for index, ball in enumerate(game.world.balls):
+                if any(ball.spin):
+                    self.sprites.turn(index, ball.spin, since)
+        if runs(game):
+            self.trail.grow(game)
+
+    def take_over(self, other: Stage) -> None:
+        """Go on where the stage of another size has been."""
+        for i in range(len(self.looks)):
+            self.sprites.orient(i, other.sprites.orientation(i))
+        self.trail, self.turns = other.trail, other.turns.on(self.sprites)
+        self._time, self._shown = other._time, other._shown
+
+    def draw(self, surface: pygame.Surface, game: Game) -> list[pygame.Rect]:
+        """Bring the table up to date; returns the rectangles that changed."""
+        dirty = self._draw_lines(game)
+        seen = game.seen
+        places = [(i, seen[ball.name].position) for i, ball in enumerate(game.world.balls)]
+        dirty += self._moved(places)
+        stroke = pose(game, self.settings.still)
+        if stroke != self._cue[0]:
+            dirty += [self._cue[1], self._cue_room(stroke)]
+            self._cue = (stroke, dirty[-1])
+        area = [rect for rect in _merged(dirty) if rect.w and rect.h]
+        for rect in area:
+            self._compose(surface, rect, places, stroke)
+        return area
+
+    def everything(self, surface: pygame.Surface, game: Game) -> None:
+        """Draw the whole window's background and table anew."""
+        self._under = None
+        self.trail.undrawn()
+        self._balls = [(None, NOTHING)] * len(self.looks)
+        self._cue = (None, NOTHING)
+        self.lines.blit(self.base, (0, 0))
+        self._marked = []
+        surface.blit(self.base, (0, 0))
+        self.draw(surface, game)
+
+    def _draw_lines(self, game: Game) -> list[pygame.Rect]:
+        """Redraw what lies under the balls if it is not what it was."""
+        aids = self.settings.aids
+        key = marks.key(game, aids), self._fanned(game)
+        if key == self._under:
+            grown = self.trail.draw(self.lines, self.layout, game, self.looks)
+            self._marked += grown
+            return grown
+        self._under = key
+        old, self._marked = self._marked, []
+        for rect in _merged(old):
+            self.lines.blit(self.base, rect, rect)
+        self.lines.set_clip(self.layout.table)
+        fan = self._draw_fan(game)
+        self._marked = fan + marks.draw(self.lines, self.layout, game, self.looks, aids)
+        self.lines.set_clip(None)
+        self.trail.undrawn()
+        self._marked += self.trail.draw(self.lines, self.layout, game, self.looks)
+        return old + self._marked
+
+    def _moved(self, places: list[tuple[int, Place]]) -> list[pygame.Rect]:
+        dirty = []
+        for index, at in places:
+            key = (at, self.sprites.orientation(index))
+            was, room = self._balls[index]
+            if key != was:
+                now = self._room(at)
+                dirty.append(room.union(now) if room.colliderect(now) else now)
+                if not room.colliderect(now):
+                    dirty.append(room)
+                self._balls[index] = (key, now)
+        return dirty
+
+    def _room(self, at: Place) -> pygame.Rect:
+        x, y = self.layout.to_screen(*at)
+        side = 2 * self._reach
+        return pygame.Rect(int(x) - self._reach, int(y) - self._reach, side, side)
+
+    def _fanned(self, game: Game) -> int:
+        """How many samples of the spread are on show: none, the first ones, or all of them."""
+        count = len(self.spread.samples) if marks.aiming(game) else 0
+        return count if count == SAMPLES else FIRST if count >= FIRST else 0
+
+    def _draw_fan(self, game: Game) -> list[pygame.Rect]:
+        count = self._fanned(game)
+        if not count:
+            return []
+        self.fan.clear()
+        for one in self.spread.samples[:count]:
+            way = [self.layout.to_screen(*p) for p in one.way]
+            self.fan.add(lines.decimated(way) if len(way) > 1 else way)
+        return [self.fan.draw(self.lines)]
+
+    def _cue_room(self, stroke: Pose | None) -> pygame.Rect:
+        """The rectangle around cue and shadow, inside the table."""
+        if stroke is None:
+            return NOTHING
+        (x, y), angle, pull, _ = stroke
+        reach = (self.radius + pull, self.radius + pull + cue_stick.LENGTH + 0.05)
+        ends = [self.layout.to_screen(x - d * cos(angle), y - d * sin(angle)) for d in reach]
+        left, right = sorted((ends[0][0], ends[1][0]))
+        top, bottom = sorted((ends[0][1], ends[1][1]))
+        pad = ceil(0.08 * self.layout.scale)
+        box = pygame.Rect(int(left), int(top), int(right - left) + 1, int(bottom - top) + 1)
+        return box.inflate(2 * pad, 2 * pad).clip(self.layout.table)
+
+    def _compose(
+        self,
+        surface: pygame.Surface,
+        rect: pygame.Rect,
+        places: list[tuple[int, Place]],
+        stroke: Pose | None,
+    ) -> None:
+        """Put the layers together inside `rect`."""
+        surface.set_clip(rect)
+        surface.blit(self.lines, rect, rect)
+        near = [(i, at) for i, at in places if self._balls[i][1].colliderect(rect)]
+        self.sprites.draw_all(surface, near)
+        if stroke is not None and self._cue[1].colliderect(rect):
+            cue_stick.draw(surface, self.layout, *stroke, self.radius)
+        surface.set_clip(None)
+
+
+def _merged(rects: Iterable[pygame.Rect]) -> list[pygame.Rect]:
+    """Join rectangles that overlap where the union is not much larger than both."""
+    merged: list[pygame.Rect] = []
+    for rect in rects:
+        for i, other in enumerate(merged):
+            union = other.union(rect)
+            if other.colliderect(rect) and union.w * union.h <= 1.5 * (
+                other.w * other.h + rect.w * rect.h
+            ):
+                merged[i] = union
+                break
+        else:
+            merged.append(rect.copy())
+    return merged

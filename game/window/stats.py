@@ -1,0 +1,25 @@
+"""What the loop has done, counted."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from game.session.session import Game
+
+
+@dataclass(slots=True)
+class Stats:
+    """What the loop has done."""
+
+    drawn: int = 0
+    skipped: int = 0
+    inputs: int = 0
+
+    def line(self, game: Game) -> str:
+        """All of it in a line."""
+        return (
+            f"frames drawn {self.drawn}, frames skipped {self.skipped}, "
+            f"physics calls {game.calls}, events {game.events}, inputs {self.inputs}"
+        )

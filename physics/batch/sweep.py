@@ -1,0 +1,129 @@
+"""Many shots from the command line: ranges of a shot's numbers in, a table of outcomes out."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import re
+import sys
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager, nullcontext
+from math import floor, isfinite, prod
+from typing import TYPE_CHECKING, Any
+
+from .many import NUMBERS, Outcomes, simulate_many
+
+if TYPE_CHECKING:
+    from physics.world import World
+
+MEANING = {
+    "speed": "m/s",
+    "angle": "degrees, anticlockwise from +x",
+    "follow": "m/s, + follow, - draw",
+    "masse": "m/s, + curves right, - left",
+    "side": "m/s, + right english (anticlockwise from above), - left",
+    "climb": "m/s, + upward",
+}
+MOST = 10_000_000  # shots: the outcomes of four balls fill a gigabyte
+PIECE = 200_000  # shots that are made ready at once: 50 MB
+CROWD = 1024  # threads or processes: to start more would take longer than the work
+PATIENCE = 1.0  # s: what is done by then needs no bar
+
+
+def add_options(one: argparse.ArgumentParser) -> None:
+    """What the command `sweep` takes besides a scene, its laws and its engine."""
+    one.add_argument("--ball", help="which ball is struck (the scene's first)")
+    for name, default in zip(NUMBERS, (None, *"00000"), strict=True):
+        one.add_argument(
+            f"--{name}", metavar="RANGE", type=values, required=default is None, default=default,
+            help=f"{MEANING[name]}: 1.5, or 1,2,3 or FROM:TO:STEP with both ends",
+        )  # fmt: skip
+    many = one.add_mutually_exclusive_group()
+    many.add_argument("--threads", type=count, metavar="N", help="share the work")
+    many.add_argument("--processes", type=count, metavar="N", help="share the work")
+    one.add_argument("--csv", metavar="FILE", help="write a line a shot (- for the terminal)")
+    one.add_argument("--npz", metavar="FILE", help="write NumPy arrays")
+
+
+def values(text: str) -> list[float]:
+    """The numbers of a range."""
+    try:
+        numbers = [float(number) for number in text.split(":" if ":" in text else ",")]
+        if ":" not in text:
+            return numbers
+        low, high, step = numbers
+        steps = (high - low) / step
+        # reckoned, not added up: the last one is the end itself where the steps fit
+        if isfinite(low) and 0.0 <= steps < MOST:
+            return [low + k * step for k in range(floor(steps + 1e-9) + 1)]
+    except (ValueError, ZeroDivisionError):
+        pass
+    raise argparse.ArgumentTypeError(f"{text!r:.60} is no number, list 1,2,3 or range FROM:TO:STEP")
+
+
+def count(text: str) -> int:
+    """How many workers."""
+    if re.fullmatch(r"\d{1,9}", text) and int(text) > 0:
+        if int(text) > CROWD:
+            raise argparse.ArgumentTypeError(f"{text!r} are too many: at most {CROWD}")
+        return int(text)
+    raise argparse.ArgumentTypeError(f"{text!r:.60} is no whole number above zero")
+
+
+def sweep(world: World, options: argparse.Namespace) -> str:
+    """Play all shots and write what is wanted; returns what to say of it."""
+    import numpy as np
+
+    ball = world.ball(options.ball) if options.ball else world.balls[0]
+    ranges = [getattr(options, name) for name in NUMBERS]
+    total = prod(map(len, ranges))
+    if total > MOST:
+        raise ValueError(f"{total} shots are too many: at most {MOST}")
+    files = [file for file in (options.npz, options.csv) if file not in (None, "-")]
+    for file in files:
+        open(file, "ab").close()  # before all the work, not after it
+    shots = np.stack(np.meshgrid(*ranges, indexing="ij"), axis=-1).reshape(-1, len(NUMBERS))
+    with pool(options.threads, options.processes) as executor, bar(total) as progress:
+        parts = [
+            simulate_many(world, ball, shots[k : k + PIECE], executor, progress=progress)
+            for k in range(0, total, PIECE)
+        ]
+    outcomes = Outcomes(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+    names = [each.name for each in world.balls]
+    if options.npz:
+        with open(options.npz, "wb") as out:
+            np.savez_compressed(out, shots=shots, balls=names, **outcomes._asdict())
+    if options.csv:
+        write(options.csv, names, shots, outcomes)
+    said = f"{total} shot{'s' * (total > 1)} at {ball.name}, {int(outcomes.events.sum())} events"
+    return "; written to ".join([said, " and ".join(files)] if files else [said])
+
+
+def pool(threads: int | None, processes: int | None) -> Any:
+    """Who does the work: this thread alone, threads or processes."""
+    if threads:
+        return ThreadPoolExecutor(threads)
+    return ProcessPoolExecutor(processes) if processes else nullcontext()
+
+
+@contextmanager
+def bar(total: int) -> Iterator[Callable[[int], object] | None]:
+    """A progress bar on the terminal for what takes long, where tqdm is installed."""
+    try:
+        from tqdm import tqdm
+    except ImportError:
+        yield None
+        return
+    with tqdm(total=total, unit=" shots", unit_scale=True, delay=PATIENCE, disable=None) as shown:
+        yield shown.update
+
+
+def write(file: str, names: list[str], shots: Any, outcomes: Outcomes) -> None:
+    """A line of names, then one a shot: its six numbers, time to rest, events, places at rest."""
+    places = [f"{name} {axis}" for name in names for axis in "xy"]
+    with nullcontext(sys.stdout) if file == "-" else open(file, "w", newline="") as out:
+        rows = csv.writer(out)
+        rows.writerow([*NUMBERS, "time", "events", *places])
+        for shot, rest, time, events in zip(shots.tolist(), *outcomes, strict=True):
+            rows.writerow([*shot, float(time), int(events), *map(float, rest.flat)])

@@ -1,0 +1,125 @@
+"""Contacts noticed on a grid of times: two things overlap, and still approach each other."""
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from physics.kernel.body import Scene
+from physics.kernel.calendar import CUSHION, PAIR, PHASE
+from physics.kernel.laws import hit_ball, hit_wall
+from physics.kernel.motion import RESTING, carry, motion, place, settle
+from physics.kernel.tilt import between
+
+if TYPE_CHECKING:
+    from physics.world import World
+
+KEEP = 1 / 2000  # s between legs in the log: every leg of a finer grid would fill the memory
+
+
+def launch(ball: Any, cloth: Any) -> None:
+    """How friction moves the ball from now on, and until when, whatever it may meet."""
+    ball.phase, ball.acceleration, lasts = motion(ball.velocity, ball.roll, cloth)
+    if ball.phase == RESTING:
+        ball.velocity = ball.roll = 0j
+    ball.leg_end = ball.next = ball.since + lasts
+
+
+def catch_up(world: "World") -> None:
+    """Bring every ball along its leg to now: a grid that begins anew begins with all of them."""
+    for ball in world.scene.balls:
+        if ball.phase >= RESTING:
+            carry(ball, world.now, world.scene.cloth)
+
+
+def mark(world: "World", i: int) -> None:
+    """Enter in the log the leg that ball i is on."""
+    world.log.begin(i, world.epoch, world.scene.balls[i], world.scene.cloth.fade)
+
+
+def kept(k: int, dt: float) -> bool:
+    """Do the legs that begin at the k-th grid time go into the log?"""
+    return k % max(1, int(KEEP / dt)) == 0
+
+
+def note(world: "World", time: float, kind: int, i: int, other: int) -> None:
+    """Enter in the log what has happened, after the new legs."""
+    world.log.note(world.epoch, time, kind, i, other)
+
+
+def end_phase(world: "World", time: float, i: int) -> None:
+    """Ball i, at `time` already, stops sliding or rolling."""
+    ball = world.scene.balls[i]
+    settle(ball)
+    launch(ball, world.scene.cloth)
+    mark(world, i)
+    note(world, time, PHASE, i, -1)
+
+
+def touching(
+    scene: Scene, spots: list[complex], speed: Callable[[int], complex]
+) -> Iterator[tuple[int, int, int]]:
+    """(PAIR, ball, ball) or (CUSHION, ball, wall) for all that overlap and approach, in order.
+
+    The balls are at `spots`; ball i's velocity is speed(i), asked anew each time: a contact found
+    here may have changed it by then.
+    """
+    balls = scene.balls
+    for i, (ball, p) in enumerate(zip(balls, spots, strict=True)):
+        for j in range(i + 1, len(balls)):
+            line, reach = spots[j] - p, ball.radius + balls[j].radius
+            if (
+                line.real * line.real + line.imag * line.imag <= reach * reach
+                and (line.conjugate() * (speed(i) - speed(j))).real > 0.0
+                and (ball.lift == balls[j].lift or between(ball, balls[j], line) <= reach)
+            ):
+                yield PAIR, i, j
+        if ball.phase == RESTING:
+            continue
+        for k, wall in enumerate(scene.walls):
+            # beyond the wall counts as overlap: only a wall's back would let a ball escape
+            if (wall.inward * p).real - wall.offset <= ball.radius and (
+                wall.inward * speed(i)
+            ).real < 0.0:
+                yield CUSHION, i, k
+
+
+def contacts(world: "World", time: float) -> None:
+    """All contacts that are there at `time`, in the order of balls and walls; the world's laws."""
+    balls = world.scene.balls
+
+    def speed(i: int) -> complex:
+        ball = balls[i]
+        velocity: complex = ball.velocity + (time - ball.since) * ball.acceleration
+        return velocity
+
+    spots = [place(ball, time - ball.since) for ball in balls]
+    for kind, i, other in touching(world.scene, spots, speed):
+        (meet if kind == PAIR else bounce)(world, time, i, other)
+
+
+def bring(world: "World", time: float, i: int) -> Any:
+    """Ball i at `time`, on a leg that the log knows."""
+    ball = world.scene.balls[i]
+    if ball.since == time:  # an integrator has put it here
+        mark(world, i)
+    carry(ball, time, world.scene.cloth)
+    return ball
+
+
+def meet(world: "World", time: float, i: int, j: int) -> None:
+    """Balls i and j collide."""
+    a, b = bring(world, time, i), bring(world, time, j)
+    hit_ball(a, b, world.scene.ball_rule)
+    for ball, index in ((a, i), (b, j)):
+        launch(ball, world.scene.cloth)
+        mark(world, index)
+    note(world, time, PAIR, i, j)
+
+
+def bounce(world: "World", time: float, i: int, k: int) -> None:
+    """Ball i hits wall k."""
+    scene = world.scene
+    ball = bring(world, time, i)
+    hit_wall(ball, scene.walls[k], scene.cushion_rule)
+    launch(ball, scene.cloth)
+    mark(world, i)
+    note(world, time, CUSHION, i, k)

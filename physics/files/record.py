@@ -1,0 +1,126 @@
+"""A world or a shot as plain data, for JSON: every number as the kernel has it, so none is lost."""
+
+from dataclasses import asdict, is_dataclass
+from math import isfinite
+from typing import TYPE_CHECKING, Any
+
+from physics.ball import NAMES, Ball
+from physics.kernel.lasting import NEVER
+from physics.shot import Shot
+from physics.wall import Wall
+
+if TYPE_CHECKING:
+    from physics.world import World
+
+HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of what is named
+VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
+DISTURBED = "disturbed"
+PHASES = NAMES  # in files as elsewhere
+COMPLEX = ("position", "velocity", "acceleration", "roll")
+REAL = ("side", "height", "climb", "fall")
+# what an engine of fixed steps has noted about the leg's end, and beside it
+PAGE = ("leg_end", "goal", "west", "east", "south", "north", "meets", "partner", "next")
+
+Data = dict[str, Any]
+
+
+def shot_data(shot: Shot) -> Data:
+    """A shot's numbers."""
+    return {"danggu": "shot", "version": VERSION, **asdict(shot)}
+
+
+def world_data(world: "World") -> Data:
+    """All that decides how the world goes on; not its log."""
+    clock = world.clock
+    return {
+        "danggu": "world",
+        "version": VERSION,
+        "cloth": asdict(world.cloth),
+        "ball_law": _named(world.ball_law),
+        "cushion_law": _named(world.cushion_law),
+        "cluster_law": None if world.cluster_law is None else asdict(world.cluster_law),
+        "engine": _named(world.engine),
+        "discs": world.discs,
+        "epoch": clock.epoch,
+        "now": clock.now,
+        "planned": world.planned,
+        **({"loose": True} if clock.loose else {}),  # from fixed steps on: things may overlap
+        "due": None if foresees(world) or clock.disturbed else _or_none(world.due),
+        "walls": [_wall(wall) for wall in world.walls],
+        "balls": [_ball(ball, not foresees(world)) for ball in world.balls],
+    }
+
+
+def planned_data(world: "World", budget: int) -> Data:
+    """The world as it was when a ball was last put or pushed, `budget` events before the last that
+    is allowed; from its log."""
+    data = world_data(world)
+    now = world.planned - world.epoch
+    data["now"], data["due"] = now, None
+    for ball, leg in zip(data["balls"], world.log.legs_when(world.allowed - budget), strict=True):
+        then = leg.after(max(0.0, (world.epoch - leg.epoch) + (now - leg.since)))
+        ball.update(
+            phase=DISTURBED, since=now, page=None,
+            **{name: _pair(getattr(then, name)) for name in COMPLEX},
+            **{name: getattr(then, name) for name in REAL},
+        )  # fmt: skip
+    return data
+
+
+def insist_on_names(world: "World") -> None:
+    """ValueError for a ball, a law or an engine that a file cannot name."""
+    for what in ("ball law", "cushion law", "engine"):
+        thing = getattr(world, what.replace(" ", "_"))
+        if not _ours(thing):
+            raise ValueError(
+                f"the {what} {getattr(thing, '__name__', thing)!r} comes from outside: only the"
+                " laws and engines of this package can be saved"
+            )
+    for ball in world.balls:
+        if not isinstance(ball.name, str):
+            raise ValueError(f"ball {ball.name!r}: only names that are text can be saved")
+
+
+def foresees(world: "World") -> bool:
+    """Does all that the engine has planned follow from the legs?  Then it need not be kept."""
+    return bool(getattr(world.engine, "foresees", False))
+
+
+def _or_none(value: float) -> float | None:
+    """JSON has no infinity."""
+    return value if isfinite(value) else None
+
+
+def _pair(z: complex) -> list[float]:
+    return [z.real, z.imag]
+
+
+def _ours(thing: Any) -> bool:
+    return is_dataclass(thing) and type(thing).__module__ in HOMES
+
+
+def _named(thing: Any) -> Data:
+    """A law or an engine by its name; of one from outside, the name is all there is to tell."""
+    if not _ours(thing):
+        return {"name": f"{getattr(thing, '__name__', thing)} (from outside)"}
+    return {"name": type(thing).__name__, **asdict(thing)}
+
+
+def _wall(wall: Wall) -> Data:
+    return {"name": wall.name, "normal": _pair(wall.normal), "offset": wall.offset}
+
+
+def _ball(ball: Ball, paged: bool) -> Data:
+    body = ball.body
+    paged = paged and body.phase in PHASES
+    return {
+        "name": ball.name,
+        "radius": body.radius,
+        "mass": body.mass,
+        "phase": PHASES.get(body.phase, DISTURBED),
+        "since": body.since,
+        **{name: _pair(getattr(body, name)) for name in COMPLEX},
+        **{name: getattr(body, name) for name in REAL},
+        **({"hop": [body.hopped, body.met, body.hops, body.lent]} if body.hopped != NEVER else {}),
+        "page": {name: _or_none(getattr(body, name)) for name in PAGE} if paged else None,
+    }

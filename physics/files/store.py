@@ -1,0 +1,254 @@
+"""Worlds and shots in JSON files: what is loaded goes on as what was saved, bit for bit."""
+
+import json
+import os
+from dataclasses import dataclass, fields, is_dataclass
+from math import inf
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from physics import laws, whole_files
+from physics.ball import Ball
+from physics.checks import finite, vector
+from physics.cloth import Cloth
+from physics.engines import exact, stepping
+from physics.kernel.body import Body
+from physics.kernel.motion import altitude, place
+from physics.shot import Shot
+from physics.wall import Wall
+from physics.world import World
+
+from .record import (
+    COMPLEX,
+    DISTURBED,
+    PAGE,
+    PHASES,
+    REAL,
+    VERSION,
+    Data,
+    foresees,
+    insist_on_names,
+    shot_data,
+    world_data,
+)
+
+NUMBERS = {name: number for number, name in PHASES.items()}
+
+
+def dumps(thing: World | Shot) -> str:
+    """The world or the shot as JSON text; a world without its log.
+
+    ValueError for a law or an engine from outside, which no file can hold.
+    """
+    if isinstance(thing, Shot):
+        data = shot_data(thing)
+    elif not isinstance(thing, World):
+        raise ValueError(f"only a World or a Shot can be saved, not {thing!r}")
+    else:
+        insist_on_names(thing)
+        data = world_data(thing)
+    return json.dumps(data, indent=1, allow_nan=False) + "\n"
+
+
+def loads(text: str) -> World | Shot:
+    """What `dumps` made text of; ValueError, saying what is wrong and where, for anything else."""
+    try:
+        data = json.loads(text)
+    except json.JSONDecodeError as error:
+        raise ValueError(f"not JSON: {error}") from None
+    except RecursionError:
+        raise ValueError("not JSON of this kind: nested too deep") from None
+    return restore(data)
+
+
+def save(thing: World | Shot, path: str | os.PathLike[str]) -> None:
+    """Write `dumps` to a file, all of it or nothing; OSError where that cannot be.
+
+    What is there must be a regular file, or a link to one, which stays a link.
+    """
+    whole_files.replace(path, dumps(thing).encode())
+
+
+def load(path: str | os.PathLike[str]) -> World | Shot:
+    """What `save` wrote; ValueError, naming the file, what is wrong and where."""
+    try:
+        return loads(Path(path).read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise ValueError(f"{os.fspath(path)}: {error}") from None
+
+
+def restore(data: Any) -> World | Shot:
+    """A world or a shot from plain data, such as `EventBudgetError.scene`."""
+    spot = Spot(data, "")
+    kind = spot["danggu"].text()
+    version = spot["version"].value
+    if version not in (1, 2, VERSION):
+        raise ValueError(f"version is {version!r}; this program reads versions 1 to {VERSION}")
+    if version == 1:
+        spot = Spot(_in_the_air(data), "")
+    if version != VERSION and kind == "world":
+        spot = Spot({**spot.value, "discs": _unequal(spot)}, "")
+    if kind == "shot":
+        return Shot(**{field.name: spot[field.name].number() for field in fields(Shot)})
+    if kind != "world":
+        raise ValueError(f'danggu is {kind!r}; it must be "world" or "shot"')
+    return _world(spot)
+
+
+def _unequal(spot: "Spot") -> bool:
+    """Do the balls of a file of version 1 or 2 differ in radius?  Then they were meant as discs."""
+    return len({ball["radius"].number() for ball in spot["balls"].items()}) > 1
+
+
+def _in_the_air(data: Data) -> Data:
+    """A file of version 1 with what version 2 added: before it, no ball left the cloth."""
+    new = {"climb": 0.0, **data}
+    if isinstance(data.get("cloth"), dict):
+        new["cloth"] = {"bounce": Cloth().bounce, **data["cloth"]}
+    if isinstance(data.get("balls"), list):
+        down = dict.fromkeys(REAL, 0.0)
+        new["balls"] = [{**down, **b} if isinstance(b, dict) else b for b in data["balls"]]
+    return new
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """A value in the file, and where it is."""
+
+    value: Any
+    where: str
+
+    def __getitem__(self, key: Any) -> "Spot":
+        where = f"{self.where}.{key}" if self.where else str(key)
+        if not isinstance(self.value, dict):
+            raise ValueError(
+                f"{self.where or 'the whole'} must be an object, not {self.value!r:.60}"
+            )
+        if key not in self.value:
+            raise ValueError(f"{where} is missing")
+        return Spot(self.value[key], where)
+
+    def items(self) -> "list[Spot]":
+        if not isinstance(self.value, list):
+            raise ValueError(f"{self.where} must be a list, not {self.value!r:.60}")
+        return [Spot(value, f"{self.where}[{k}]") for k, value in enumerate(self.value)]
+
+    def number(self) -> float:
+        if isinstance(self.value, str | bool):
+            raise ValueError(f"{self.where} must be a number, not {self.value!r:.60}")
+        return finite(self.where, self.value)
+
+    def number_or_inf(self) -> float:
+        """JSON has no infinity: null stands for it."""
+        return inf if self.value is None else self.number()
+
+    def complex(self) -> complex:
+        return complex(*vector(self.where, [spot.number() for spot in self.items()], 2))
+
+    def truth(self) -> bool:
+        if not isinstance(self.value, bool):
+            raise ValueError(f"{self.where} must be true or false, not {self.value!r:.60}")
+        return self.value
+
+    def text(self) -> str:
+        if not isinstance(self.value, str):
+            raise ValueError(f"{self.where} must be text, not {self.value!r:.60}")
+        return self.value
+
+
+def _world(spot: Spot) -> World:
+    world = World(
+        _made(Cloth, spot["cloth"]),
+        _one_of((laws,), spot["ball_law"]),
+        _one_of((laws,), spot["cushion_law"]),
+        _one_of((exact, stepping), spot["engine"]),
+        spot["discs"].truth(),
+    )
+    if spot["cluster_law"].value is not None:
+        world.cluster_law = _made(laws.HertzCluster, spot["cluster_law"])
+    for wall in spot["walls"].items():
+        name = None if wall["name"].value is None else wall["name"].text()
+        world.add(Wall(wall["normal"].complex(), wall["offset"].number(), name))
+    _put_balls(world, spot)
+    return world
+
+
+def _made(kind: Any, spot: Spot) -> Any:
+    """A dataclass from its fields; its own ValueError, with the place, if it refuses them."""
+    values = {field.name: spot[field.name].value for field in fields(kind)}
+    for name, value in values.items():
+        if isinstance(value, bool) or not isinstance(value, int | float | str | None):
+            raise ValueError(f"{spot.where}.{name} must be a number or text, not {value!r:.60}")
+    try:
+        return kind(**values)
+    except (ValueError, TypeError) as error:
+        raise ValueError(f"{spot.where}: {error}") from None
+
+
+def _one_of(modules: tuple[ModuleType, ...], spot: Spot) -> Any:
+    """A law or an engine by its name."""
+    name = spot["name"].text()
+    for module in modules:
+        kind = vars(module).get(name)
+        if is_dataclass(kind) and isinstance(kind, type) and kind.__module__ == module.__name__:
+            return _made(kind, spot)
+    raise ValueError(f"{spot.where}.name is {name!r}, which this program does not know")
+
+
+def _put_balls(world: World, spot: Spot) -> None:
+    """The balls where they are, first at rest and checked, then each on its leg."""
+    epoch, now = spot["epoch"].number(), spot["now"].number()
+    planned, due = spot["planned"].number(), spot["due"].number_or_inf()
+    bodies = [_body(ball) for ball in spot["balls"].items()]
+    for ball, body in zip(spot["balls"].items(), bodies, strict=True):
+        t = 0.0 if body.phase < 0 else now - body.since
+        p = place(body, t)
+        mine = Ball(ball["name"].text(), (p.real, p.imag), radius=body.radius, mass=body.mass)
+        world.add(mine).body.height = altitude(body, t)
+    world.clock.loose = bool(spot.value.get("loose"))
+    if world.clock.loose or not foresees(world):
+        world.trust()  # fixed steps let things overlap
+    world.plan()
+    world.clock.epoch, world.clock.now = epoch, now
+    for mine, body in zip(world.balls, bodies, strict=True):
+        for name in ("since", *COMPLEX, *REAL, "phase", "hopped", "met", "hops", "lent"):
+            setattr(mine.body, name, getattr(body, name))
+    going = [k for k, body in enumerate(bodies) if body.phase >= 0]
+    world.log.rewind([0] * (1 + len(bodies)))
+    world.engine.plan(world, going)
+    world.planned = planned
+    if not foresees(world):
+        _keep_grid(world, due, bodies, going)
+    world.clock.disturbed = len(going) < len(bodies)
+
+
+def _keep_grid(world: World, due: float, bodies: list[Body], going: list[int]) -> None:
+    """Fixed steps count from when they began: that must not begin anew."""
+    for k in going:
+        mine, body = world.scene.balls[k], bodies[k]
+        for name in ("since", *COMPLEX, *REAL, "phase", *PAGE):
+            setattr(mine, name, getattr(body, name))
+    world.due = due
+
+
+def _body(spot: Spot) -> Body:
+    body = Body(spot["radius"].number(), spot["mass"].number(), since=spot["since"].number())
+    for name in COMPLEX:
+        setattr(body, name, spot[name].complex())
+    for name in REAL:
+        setattr(body, name, spot[name].number())
+    if "hop" in spot.value:  # of a contact that lasts; since version 2 is out
+        hop = vector(f"{spot.where}.hop", [note.number() for note in spot["hop"].items()], 4)
+        body.hopped, body.met, body.hops, body.lent = hop[0], int(hop[1]), int(hop[2]), hop[3]
+    if spot["page"].value is not None:
+        for name in PAGE:
+            note = spot["page"][name]
+            whole = name in ("goal", "partner")
+            setattr(body, name, int(note.number()) if whole else note.number_or_inf())
+    phase = spot["phase"].text()
+    if phase != DISTURBED and phase not in NUMBERS:
+        known = ", ".join([DISTURBED, *NUMBERS])
+        raise ValueError(f"{spot.where}.phase is {phase!r}; it must be one of {known}")
+    body.phase = NUMBERS.get(phase, -1)
+    return body

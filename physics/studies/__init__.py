@@ -1,0 +1,1 @@
+"""What can be learnt from a shot: paths, energy, how much it depends on, how it was struck."""

@@ -1,0 +1,190 @@
+"""Pictures of what happened, for papers and pages: paths on the table, to scale.
+
+Needs matplotlib, the `plot` extra, and nothing else here imports it.
+"""
+
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from physics.log import Event
+from physics.wall import Wall
+from physics.world import World
+
+from .trace import trace
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+RATE = 240  # samples a second of a path
+RAIL = 0.07  # m: the rail around the noses of the cushions
+NAMED = 4  # balls: more than these the legend does not name
+PLANE = 10.0  # m: the table, as far as no wall bounds it
+INK, PAPER, CLOTH, WOOD, NOSE = "#1C222B", "#FFFFFF", "#DFEAEF", "#C9AE94", "#5C3B27"
+BODIES = {"white": "#FFFFFF", "yellow": "#F2B90C", "red": "#D6202F"}
+DARK = {"white": "#4A5561", "yellow": "#9A6F00", "red": "#7E0E19"}
+OTHERS = ("#2A7FB8", "#2E9E5B", "#8A5BC7", "#D9702B", "#159AA0", "#B8478B")
+MARKS = {  # shape, size, word
+    "cushion": ("s", 7, "cushion"),
+    "ball": ("X", 9, "balls meet"),
+    "roll": ("o", 5, "starts to roll"),
+}
+
+
+def picture(
+    world: World, title: str, note: str, engine: str, other: World | None = None, dashes: str = ""
+) -> "Figure":
+    """The log of the world as solid paths, on its table; that of another world dashed, beside it.
+
+    engine and dashes are the words for the two in the legend.
+    Rings are where balls began, discs where they are now. Without matplotlib an ImportError tells
+    what to install.
+    """
+    try:
+        from matplotlib.figure import Figure
+    except ImportError:
+        raise ImportError(
+            "pictures need matplotlib: pip install 'danggu[plot]', or pip install matplotlib"
+        ) from None
+    bounds = extent(world)
+    width, height = bounds[1] - bounds[0], bounds[3] - bounds[2]
+    figure = Figure(figsize=(9.0, 9.0 * (height / width) + 1.25), facecolor=PAPER)
+    axes = figure.add_axes(
+        (0.0, 0.55 / figure.get_figheight(), 1.0, 1 - 1.25 / figure.get_figheight())
+    )
+    axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal")
+    axes.axis("off")
+    lay_table(axes, world)
+    if other is not None:
+        lay_paths(axes, other, dashed=True)
+    lay_paths(axes, world, dashed=False)
+    lay_marks(axes, world)
+    figure.text(0.03, 1 - 0.34 / figure.get_figheight(), title, color=INK, size=12, weight="bold")
+    figure.text(0.03, 1 - 0.60 / figure.get_figheight(), note, color=INK, size=10)
+    legend(figure, world, engine, dashes)
+    return figure
+
+
+def save(figure: "Figure", file: str | Path) -> None:
+    """As PNG, 990 pixels wide."""
+    figure.savefig(file, dpi=110, format="png")
+
+
+# -- the table -------------------------------------------------------------------------------------
+
+
+def outline(walls: tuple[Wall, ...], out: float = 0.0) -> list[complex]:
+    """The corners of what lies inside all walls, each moved out by so many metres."""
+    corners = [complex(x, y) * PLANE for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    for wall in walls:
+        corners = cut(corners, Wall(wall.normal, wall.offset - out))
+    return corners
+
+
+def cut(corners: list[complex], wall: Wall) -> list[complex]:
+    """The part of a convex polygon that is inside the wall."""
+    left: list[complex] = []
+    for p, q in pairwise([*corners, corners[0]] if corners else []):
+        a, b = wall.distance((p.real, p.imag)), wall.distance((q.real, q.imag))
+        if a >= 0.0:
+            left.append(p)
+        if a * b < 0.0:
+            left.append(p + a / (a - b) * (q - p))
+    return left
+
+
+def extent(world: World) -> tuple[float, float, float, float]:
+    """West, east, south, north of the picture: the table, or the paths if that has no end."""
+    corners = outline(world.walls, RAIL)
+    west, east = min(p.real for p in corners), max(p.real for p in corners)
+    south, north = min(p.imag for p in corners), max(p.imag for p in corners)
+    if max(east, -west, north, -south) == PLANE:
+        _, paths = trace(world, RATE)
+        reach = 4 * max(ball.radius for ball in world.balls)
+        west, south = paths.min(axis=(0, 1)) - reach
+        east, north = paths.max(axis=(0, 1)) + reach
+    return west - 0.02, east + 0.02, south - 0.02, north + 0.02
+
+
+def lay_table(axes: "Axes", world: World) -> None:
+    """Rails, cloth and diamonds."""
+    for colour, edge, out in ((WOOD, WOOD, RAIL), (CLOTH, NOSE, 0.0)):
+        corners = outline(world.walls, out)
+        axes.fill([p.real for p in corners], [p.imag for p in corners], fc=colour, ec=edge, lw=1.4)
+    corners = outline(world.walls)
+    if len(corners) != 4 or abs(corners[0]) >= PLANE:
+        return
+    sides = [*pairwise([*corners, corners[0]])]
+    longest = max(abs(q - p) for p, q in sides)
+    for p, q in sides:
+        parts = 8 if abs(q - p) > 0.75 * longest else 4
+        for k in range(1, parts):
+            spot = p + (q - p) * k / parts - 0.5j * RAIL * (q - p) / abs(q - p)
+            axes.plot(spot.real, spot.imag, "D", ms=3, color=PAPER)
+
+
+# -- the balls -------------------------------------------------------------------------------------
+
+
+def colours(world: World, name: str) -> tuple[str, str]:
+    """Of the ball, and darker, of its edge."""
+    for word, body in BODIES.items():
+        if name.startswith(word):
+            return body, DARK[word]
+    number = [ball.name for ball in world.balls].index(name)
+    return OTHERS[number % len(OTHERS)], INK
+
+
+def lay_paths(axes: "Axes", world: World, dashed: bool) -> None:
+    """Every ball's way, where it began and where it is."""
+    from matplotlib.patches import Circle
+    from matplotlib.patheffects import Normal, Stroke
+
+    _, paths = trace(world, RATE)
+    for i, ball in enumerate(world.balls):
+        body, dark = colours(world, ball.name)
+        x, y = paths[:, i, 0], paths[:, i, 1]
+        if dashed:
+            axes.plot(x, y, color=dark, lw=1.4, dashes=(4, 2.5), zorder=5)
+        else:
+            halo = [Stroke(linewidth=4.2, foreground=dark), Normal()]
+            axes.plot(x, y, color=body, lw=2.6, zorder=4, path_effects=halo, solid_capstyle="round")
+            axes.add_patch(Circle((x[0], y[0]), ball.radius, fc="none", ec=dark, lw=1.8, zorder=6))
+        style: Any = {"fc": CLOTH, "ls": (0, (2.5, 1.5))} if dashed else {"fc": body}
+        axes.add_patch(Circle((x[-1], y[-1]), ball.radius, ec=dark, lw=1.4, zorder=7, **style))
+
+
+def lay_marks(axes: "Axes", world: World) -> None:
+    """What happened where."""
+    for event in world.log:
+        if event.kind in MARKS:
+            lay_mark(axes, event)
+
+
+def lay_mark(axes: "Axes", event: Event) -> None:
+    shape, size, _ = MARKS[event.kind]
+    axes.plot(*event.point, shape, ms=size, mfc=INK, mec=PAPER, mew=0.9, zorder=8)
+
+
+def legend(figure: "Figure", world: World, engine: str, dashes: str) -> None:
+    """What the marks and lines mean, in one row below the picture."""
+    from matplotlib.lines import Line2D
+
+    rows: list[tuple[Line2D, str]] = []
+    for ball in world.balls if len(world.balls) <= NAMED else ():
+        body, dark = colours(world, ball.name)
+        disc = Line2D([], [], marker="o", ls="", ms=9, mfc=body, mec=dark)
+        rows.append((disc, ball.name))
+    rows.append((Line2D([], [], color=INK, lw=2.6), engine))
+    if dashes:
+        rows.append((Line2D([], [], color=INK, lw=1.4, dashes=(4, 2.5)), dashes))
+    happened = {event.kind for event in world.log}
+    for kind, (shape, size, word) in MARKS.items():
+        if kind in happened:
+            mark = Line2D([], [], marker=shape, ls="", ms=size, mfc=INK, mec=PAPER)
+            rows.append((mark, word))
+    figure.legend(
+        *zip(*rows, strict=True), loc="lower center", ncols=len(rows), frameon=False,
+        fontsize=10, labelcolor=INK, handletextpad=0.5, columnspacing=1.3,
+    )  # fmt: skip

@@ -1,0 +1,296 @@
+"""How much an outcome depends on the shot: exact derivatives through every event.
+
+The shot is played once with plain numbers; then its events are gone through again with numbers that
+carry derivatives (`physics.studies.dual`), by the same kernel. Between events that is the tangent
+of a polynomial; the moment of a contact moves by the implicit function theorem, and a collision is
+differentiated as it is written, on the branch (sticking or slipping) that it took.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
+from math import nan, pi
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from physics.ball import Ball
+from physics.checks import nonnegative, vector
+from physics.engines.exact import EventDriven
+from physics.kernel.calendar import CUSHION, PAIR, PHASE
+from physics.kernel.impulses import WALL
+from physics.kernel.motion import AIRBORNE, RESTING
+from physics.log import Event
+from physics.shot import Shot, direction
+from physics.simulation import simulate
+from physics.world import World
+
+from .dual import Dual, kernel, slope, value
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    Array = npt.NDArray[np.float64]
+
+NUMBERS = ("speed", "angle", "follow", "masse", "side")
+SPEED, ANGLE, FOLLOW, MASSE, SIDE = range(5)
+AIM = (0.0, 1.0, 0.0, 0.0, 0.0)  # errors of a player who only aims badly
+
+
+class EventSlope(NamedTuple):
+    """An event and its derivatives by the five numbers of the shot, in the order of `NUMBERS`.
+
+    event: as in the log.  time: (5,) s.  before, after: (balls, 7, 5), rows x, y m, vx, vy m/s, wx,
+    wy, wz rad/s, of each of the event's balls just before and just after it.  All per m/s, but
+    column `ANGLE` per degree.  They follow the event to its new time; at a fixed time the position
+    of a ball changes by `after[k, :2] - outer(event.after[k].velocity, time)`.
+    """
+
+    event: Event
+    time: Array
+    before: Array
+    after: Array
+
+    def headings(self, after: bool = True) -> Array:
+        """(balls, 5): how the direction of each ball turns, radians; 0 for one that rests."""
+        import numpy as np
+
+        states, slopes = (
+            (self.event.after, self.after) if after else (self.event.before, self.before)
+        )
+        turns = np.zeros((len(states), 5))
+        for k, state in enumerate(states):
+            (vx, vy), (dx, dy) = state.velocity, slopes[k, 2:4]
+            if vx or vy:
+                turns[k] = (vx * dy - vy * dx) / (vx * vx + vy * vy)
+        return turns
+
+
+class Sensitivity(NamedTuple):
+    """What `sensitivity` returns.
+
+    world: after the shot, its log is what the events are from.  events: one EventSlope for each.
+    rest: (balls, 2, 5) derivatives of where each of the world's balls comes to rest, m per m/s, and
+    per degree in column `ANGLE`; NaN for a ball that never rests.
+    """
+
+    world: World
+    events: tuple[EventSlope, ...]
+    rest: Array
+
+    def covariance(self, errors: Sequence[float]) -> Array:
+        """(balls, 2, 2) m²: scatter at rest, for standard deviations of the five numbers.
+
+        errors: five, independent, in the units of the shot. To first order: meant for errors so
+        small that the events keep their order.
+        """
+        scaled = self.rest * _errors(errors)
+        result: Array = scaled @ scaled.transpose(0, 2, 1)
+        return result
+
+    def amplification(self, errors: Sequence[float] = AIM) -> Array:
+        """(hits,): by how much each hit of two balls multiplies an error of direction.
+
+        That is the rms error of heading just after it over that just before it, of whichever ball
+        has the larger one, for standard deviations `errors` of the five numbers; without them, of
+        the aim alone. A straight hit at distance D gives D/2R - 1 (docs/physics.md). Infinite where
+        no error came in, NaN where none came out either.
+        """
+        import numpy as np
+
+        weights = _errors(errors)
+        hits = [slopes for slopes in self.events if slopes.event.kind == "ball"]
+        before, after = (
+            np.array([_spread(hit.headings(side) * weights) for hit in hits])
+            for side in (False, True)
+        )
+        with np.errstate(divide="ignore", invalid="ignore"):
+            factors: Array = after / before
+        return factors
+
+
+def _errors(errors: Sequence[float]) -> Array:
+    import numpy as np
+
+    numbers = vector("errors", errors, 5)
+    return np.array([nonnegative("errors", number) for number in numbers])
+
+
+def _spread(headings: Array) -> Any:
+    return (headings**2).sum(axis=1).max() ** 0.5
+
+
+def sensitivity(world: World, ball: Ball | str, shot: Shot) -> Sensitivity:
+    """Derivatives of all that follows from a shot, by its speed, angle, follow, masse and side.
+
+    ball is one of the world's, or its name; the world stays as it is. Exact up to rounding, which
+    every hit magnifies; a law from outside is probed by differences, to about 1e-11. See
+    docs/physics.md, "How much depends on the shot".
+
+    They hold as long as the same events happen in the same order. There is no derivative where that
+    is about to change: a ball just grazed or just missed, two events at one instant (a cluster is
+    differentiated as if its contacts stayed together), friction just between sticking and slipping,
+    a parting speed at the engine's `vmin`. On both sides the numbers are right, and different. A
+    contact that begins without speed gives NaN.
+
+    ValueError if the engine is not EventDriven, if the world has no such ball, if one flies, or if
+    three balls meet under a HertzCluster.
+    """
+    if not isinstance(world.engine, EventDriven):
+        raise ValueError(f"sensitivity needs the engine EventDriven, not {world.engine!r}")
+    after = simulate(world, ball, shot)
+    if any(leg.phase == AIRBORNE for name in after.log.names for leg in after.log.legs(name)):
+        raise ValueError("sensitivity knows no derivatives of balls in the air")
+    replay = _Replay(after, after.ball(ball).name, shot)
+    return Sensitivity(after, tuple(replay.events()), replay.rest())
+
+
+class _Replay:
+    """The balls of a finished shot once more, on dual numbers."""
+
+    def __init__(self, world: World, struck: str, shot: Shot) -> None:
+        self.scene, self.log, self.kernel = world.scene, world.log, kernel()
+        self.cluster_law = world.cluster_law
+        self.balls = [self._body(ball, shot, ball.name == struck) for ball in world.balls]
+
+    def _body(self, ball: Ball, shot: Shot, struck: bool) -> Any:
+        """The ball as its first leg began: only the struck one depends on the shot."""
+        leg = self.log.legs(ball.name)[0]
+        motion = (leg.velocity, leg.roll, leg.side)
+        slopes = _push(shot) if struck else (_zeros(),) * 3
+        body = self.kernel.body.Body(ball.radius, ball.mass, ball.body.lift)
+        body.since, body.position = leg.since, Dual(leg.position, _zeros())
+        body.velocity, body.roll, body.side = map(Dual, motion, slopes)
+        self._plan(body)
+        return body
+
+    def _plan(self, body: Any) -> None:
+        slip, cloth = body.velocity - body.roll, self.scene.cloth
+        if abs(value(slip)) <= cloth.still and slip != 0.0 and cloth.slide > 0.0:
+            # it rolls, but would slip after another shot, for a moment that leaves 5/7 v + 2/7 w
+            rolling = (5.0 * slope(body.velocity) + 2.0 * slope(body.roll)) / 7.0
+            body.velocity = body.roll = Dual(value(body.velocity), rolling)
+        self.kernel.calendar.plan_leg(body, (), cloth, self.scene.cushion_rule)
+
+    def events(self) -> Iterator[EventSlope]:
+        """Go through them in their order; a cluster, which is many of them, once."""
+        log = zip(self.log, self.log._events, strict=True)
+        for _, group in groupby(enumerate(log), _instant):
+            blows = [event for _, event in group]
+            _, (_, time, kind, other, i, _, _, _, shared) = blows[0]
+            pairs = [[raw[4], raw[3]] if raw[2] == PAIR else [raw[4]] for _, raw in blows]
+            pairs = pairs if shared or kind == PAIR else []
+            involved = [m for m, _ in shared[2]] if shared else pairs[0] if pairs else [i]
+            moment = self._moment(time, kind, i, other)
+            before = self._carry(involved, moment)
+            if shared and shared[3]:
+                self._press_apart(shared[3])
+            else:
+                self._collide(kind, i, other, pairs)
+            for m in involved:
+                self._plan(self.balls[m])
+            after = {m: _rows(self.balls[m]) for m in involved}
+            for (event, _), who in zip(blows, pairs or [[i]], strict=True):
+                yield EventSlope(event, slope(moment), _stack(before, who), _stack(after, who))
+
+    def _moment(self, time: float, kind: int, i: int, other: int) -> Dual:
+        """When it happens: a contact when the gap, which depends on the shot, has closed."""
+        ball = self.balls[i]
+        if kind == PHASE:
+            end: Dual = ball.leg_end
+            return end
+        p, v = self._at(ball, time)
+        if kind == CUSHION:
+            toward = self.scene.walls[other].inward
+        else:
+            q, w = self._at(self.balls[other], time)
+            p, v = p - q, v - w
+            toward = value(p).conjugate()
+        closing = value((toward * v).real)
+        return Dual(time, -slope((toward * p).real) / (closing or nan))
+
+    def _at(self, ball: Any, time: float) -> tuple[Any, Any]:
+        """Position and velocity on its leg, at a time that does not depend on the shot."""
+        t = time - ball.since
+        return self.kernel.motion.place(ball, t), ball.velocity + t * ball.acceleration
+
+    def _carry(self, involved: list[int], moment: Dual) -> dict[int, Array]:
+        for m in involved:
+            self.kernel.motion.carry(self.balls[m], moment, self.scene.cloth)
+        return {m: _rows(self.balls[m]) for m in involved}
+
+    def _collide(self, kind: int, i: int, other: int, pairs: list[list[int]]) -> None:
+        scene, laws, balls = self.scene, self.kernel.laws, self.balls
+        if kind == PHASE:
+            self.kernel.motion.settle(balls[i])
+        elif kind == CUSHION:
+            laws.hit_wall(balls[i], scene.walls[other], scene.cushion_rule)
+        elif len(pairs) == 1:
+            laws.hit_ball(balls[i], balls[other], scene.ball_rule)
+        else:
+            if self.cluster_law is not None:
+                raise ValueError(f"sensitivity knows no derivatives of {self.cluster_law!r}")
+            ties = self.kernel.body.ties(len(balls))
+            for tie, pair in zip(ties.contacts, pairs, strict=False):
+                tie.first, tie.second = pair
+            self.kernel.cluster.collide(len(pairs), balls, scene.ball_rule, ties)
+
+    def _press_apart(self, asked: list[tuple[int, int, float]]) -> None:
+        """Contacts that last part as fast as they did: what they were asked is taken as given."""
+        package, walls = self.kernel, self.scene.walls
+        ties = package.body.ties(len(self.balls))
+        for c, (first, second, target) in enumerate(asked):
+            tie = ties.contacts[c]
+            tie.first, tie.second, tie.target, tie.total = first, second, target, 0.0
+            if second <= WALL:
+                tie.line = -walls[WALL - second].normal
+            ties.chosen[c] = c
+        rules = self.scene.ball_rule, self.scene.cushion_rule
+        package.lasting.press_apart(len(asked), self.balls, ties, self.scene.walls, *rules)
+
+    def rest(self) -> Array:
+        """(balls, 2, 5): of the positions, once there are no more events."""
+        import numpy as np
+
+        never = np.full((2, 5), nan)
+        return np.array([_rows(b)[:2] if b.phase == RESTING else never for b in self.balls])
+
+
+def _instant(numbered: Any) -> tuple[int, int]:
+    """The same for the blows of a cluster, which share a record of it, and for nothing else."""
+    number, (_, raw) = numbered
+    return (-1, id(raw[-1][2])) if raw[-1] else (number, 0)
+
+
+def _zeros() -> Array:
+    import numpy as np
+
+    return np.zeros(5)
+
+
+def _push(shot: Shot) -> tuple[Any, Any, Any]:
+    """How velocity, roll and side of the struck ball depend on the five numbers."""
+    import numpy as np
+
+    along, degree = direction(shot.angle), 1j * pi / 180.0
+    velocity, roll, side = np.zeros(5, complex), np.zeros(5, complex), np.zeros(5)
+    velocity[[SPEED, ANGLE]] = along, degree * shot.velocity()
+    roll[[FOLLOW, MASSE, ANGLE]] = along, -1j * along, degree * shot.roll()
+    side[SIDE] = 1.0
+    return velocity, roll, side
+
+
+def _rows(ball: Any) -> Array:
+    """(7, 5): x, y, vx, vy, wx, wy, wz."""
+    import numpy as np
+
+    p, v, w = slope(ball.position), slope(ball.velocity), slope(ball.roll) / ball.radius
+    return np.stack(
+        (p.real, p.imag, v.real, v.imag, -w.imag, w.real, slope(ball.side) / ball.radius)
+    )
+
+
+def _stack(rows: dict[int, Array], who: Iterable[int]) -> Array:
+    import numpy as np
+
+    return np.stack([rows[m] for m in who])

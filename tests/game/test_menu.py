@@ -1,0 +1,149 @@
+"""The menu, where a match is put together, and the pages that it leads to."""
+
+import pytest
+
+from game.table import lineup
+from game.text import words
+from game.ui.pages import menu_view, page_parts, shelf_view
+from game.ui.pages.rules_page import RULES
+from tests.support.matches import choose, menu_button
+from tests.support.players import FRAME, an_app, assert_same_as_anew, click, places, press, write
+
+
+def test_the_game_starts_at_a_table_and_not_in_a_menu():
+    app = an_app()
+    assert app.game.sheet == ""
+    assert app.game.contest is None
+    press(app, "return")
+    assert app.game.moving
+
+
+@pytest.mark.parametrize("key", ["f10", "escape"])
+def test_the_menu_opens_and_closes_with_a_key_and_holds_the_balls(key):
+    app = an_app()
+    press(app, "return", key)
+    held = places(app.game)
+    app.frame(FRAME)
+    assert app.game.sheet == "menu"
+    assert places(app.game) == held
+    press(app, "escape")
+    assert app.game.sheet == ""
+    app.frame(FRAME)
+    assert places(app.game) != held
+
+
+def test_a_match_is_put_together_by_keys_alone():
+    app = an_app()
+    press(app, "f10", "right", "right")
+    assert app.view.sheet.fixture.game == "three-cushion"
+    assert app.view.sheet.fixture.table == "match"
+    press(app, "left")
+    rows = [row.name for row in app.view.sheet.rows]
+    press(app, *["down"] * rows.index("name"))
+    write(app, "김 사구")
+    press(app, "return", "return", "2", "5")
+    press(app, "down", "down", "right", "right")
+    press(app, *["down"] * (len(rows) - app.view.sheet.focus))
+    press(app, "return")
+    match = app.game.contest.match
+    assert (match.players[0].name, match.players[0].target) == ("김 사구", 25)
+    assert app.game.contest.fixture.seats[1].level == "club"
+    assert app.game.sheet == ""
+    assert len(app.game.world.balls) == 4
+
+
+def test_a_match_is_put_together_by_the_mouse_alone():
+    app = an_app(size=(1280, 720))
+    click(app, app.view.sight.layout.engine.move(-64, -11).midright)
+    assert app.game.sheet == "menu"
+    choose(app, "game", -1)
+    assert app.view.sheet.fixture.game == "three-cushion"
+    choose(app, "bank")
+    choose(app, "target", 1, 3)
+    click(app, menu_button(app, "start"))
+    assert app.game.contest.match.rules.bank == 2
+    assert app.game.contest.match.players[0].target == 13
+    assert app.game.table == "match"
+
+
+def test_the_menu_gives_back_what_is_being_played():
+    app = an_app(game="four-ball", players="Ann,Bo", handicap="7,9", level="human,expert")
+    press(app, "f10")
+    assert app.view.sheet.fixture == app.game.contest.fixture
+
+
+def test_names_and_numbers_stay_within_what_a_match_takes():
+    app = an_app(game="four-ball")
+    press(app, "f10")
+    rows = [row.name for row in app.view.sheet.rows]
+    press(app, *["down"] * rows.index("name"))
+    write(app, "x" * 40)
+    press(app, "down", "down", "9", "9", "9", "9")
+    seat = app.view.sheet.fixture.seats[0]
+    assert (len(seat.name), seat.target) == (16, 200)
+    press(app, *["backspace"] * 5)
+    assert app.view.sheet.fixture.seats[0].target == 1
+
+
+def test_closing_and_clicking_outside_change_nothing():
+    app = an_app(game="four-ball")
+    before = app.game.contest
+    for at in ((3, 3), page_parts.close_rect(app.view.sight.layout).center):
+        press(app, "f10", "right")
+        click(app, at)
+        assert app.game.sheet == ""
+        assert app.game.contest is before
+
+
+@pytest.mark.parametrize("lang", ["en", "ko"])
+@pytest.mark.parametrize("size", [(640, 360), (960, 540), (1280, 720)])
+def test_every_page_is_the_same_drawn_in_part_and_anew(lang, size):
+    app = an_app(size=size, lang=lang, game="four-ball", level="club")
+    for key in ("f10", "f4", "f5"):
+        press(app, key)
+        for more in ("down", "right", "tab", "tab", "tab"):
+            press(app, more)
+            assert_same_as_anew(app)
+        click(app, (size[0] // 2, size[1] // 2))
+        if app.game.sheet:
+            assert_same_as_anew(app)
+            press(app, "escape")
+        assert_same_as_anew(app)
+
+
+@pytest.mark.parametrize("lang", ["en", "ko"])
+@pytest.mark.parametrize("width", [960, 1280, 1920])
+def test_every_word_of_the_pages_fits_into_its_place(lang, width):
+    app = an_app(size=(width, width * 9 // 16), lang=lang)
+    w, sight = words(lang), app.view.sight
+    s, type_ = sight.layout.s, sight.type
+    room = page_parts.inside(sight.layout).w
+    for rect, name in zip(menu_view.button_rects(sight.layout), menu_view.BUTTONS, strict=True):
+        assert type_.width(w[f"menu.{name}"], 15) <= rect.w - 8 * s
+    for key in (k for k in w if k.startswith("row.")):
+        assert type_.width(w[key], 13) <= menu_view.LABEL * s - 8, w[key]
+    for rect, name in zip(shelf_view.button_rects(sight.layout), shelf_view.BUTTONS, strict=True):
+        assert type_.width(w[f"shelf.{name}"], 15) <= rect.w - 8 * s
+    card = shelf_view.card_rect(0, sight.layout).w - 12 * s
+    for ready in lineup.shelf():
+        assert type_.width(w[f"position.{ready.key}"], 13) <= card
+    assert type_.width(w["shelf.hint"], 13) <= room
+    box = (room - sight.layout.px(32)) / 2 - (menu_view.LABEL + 2 * menu_view.ARROW + 8) * s
+    for key in (k for k in w if k.startswith(("level.", "finish.", "cloth.", "table.", "game."))):
+        if key != "level.error":
+            assert type_.width(w[key], 15) <= box, w[key]
+    for game, count in RULES.items():
+        texts = [w[f"rule.{game}.{n}"] for n in range(1, count + 1)]
+        lines = [list(page_parts.wrapped(text, type_, 15, room - 24 * s)) for text in texts]
+        height = (34 + 36 + sum(25 * len(one) + 9 for one in lines)) * s
+        assert height <= page_parts.inside(sight.layout).h
+
+
+@pytest.mark.parametrize("lang", ["en", "ko"])
+@pytest.mark.parametrize("width", [960, 1280])
+def test_every_verdict_fits_into_the_result_card(lang, width):
+    app = an_app(size=(width, width * 9 // 16), lang=lang, game="three-cushion")
+    layout, type_, w = app.view.sight.layout, app.view.sight.type, words(lang)
+    room = layout.result.w - 12 * layout.s - 58 * layout.s
+    for key in (k for k in w if k.startswith("reason.")):
+        assert type_.width(w[key].format(n=12), 15) <= room, w[key]

@@ -1,0 +1,1 @@
+"""What holds for the whole project: its shape, its documents, its benchmarks."""
