@@ -1,4 +1,4 @@
-"""Balls of two sizes that fixed steps have left overlapping are parted no further than they touch."""
+"""Balls of two sizes that fixed steps left overlapping are parted no further than they touch."""
 
 from math import dist
 
