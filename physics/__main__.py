@@ -105,7 +105,7 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument("--against", choices=engines, help="a second engine, dashed in the picture")
     one.add_argument("--until", type=float, default=inf, help="s; all at rest if not given")
     one.add_argument("--rate", type=float, help="samples a second of --csv (60)")
-    one.add_argument("--csv", metavar="FILE", help="write time and x, y of every ball (- for the terminal)")
+    one.add_argument("--csv", metavar="FILE", help="write times and places (- for the terminal)")
     one.add_argument("--png", metavar="FILE", help="write a picture (needs matplotlib)")
     sweep.add_options(many)
     return commands
