@@ -5,6 +5,8 @@ import csv
 import os
 import re
 import sys
+from contextlib import nullcontext
+from functools import partial
 from math import hypot, inf
 from typing import NoReturn
 
@@ -104,7 +106,7 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument("--against", choices=engines, help="a second engine, dashed in the picture")
     one.add_argument("--until", type=float, default=inf, help="s; all at rest if not given")
     one.add_argument("--rate", type=float, help="samples a second of --csv (60)")
-    one.add_argument("--csv", metavar="FILE", help="write time and x, y of every ball, s and m")
+    one.add_argument("--csv", metavar="FILE", help="write times and places (- for the terminal)")
     one.add_argument("--png", metavar="FILE", help="write a picture (needs matplotlib)")
     sweep.add_options(many)
     return commands
@@ -154,16 +156,17 @@ def word(engine: str | None) -> str:
 
 
 def report(world: World, options: argparse.Namespace) -> None:
-    """A line an event."""
+    """A line an event; elsewhere than the samples, if those go to the terminal."""
+    say = partial(print, file=sys.stderr if options.csv == "-" else sys.stdout)
     count = len(world.log)
-    print(f"{options.name}: {count} events in {world.time:.4f} s, {word(options.engine)}")
+    say(f"{options.name}: {count} events in {world.time:.4f} s, {word(options.engine)}")
     if not count and world.at_rest:
-        print(f"all balls lie still: python -m physics sweep {options.name} --speed 2 plays a shot")
+        say(f"all balls lie still: python -m physics sweep {options.name} --speed 2 plays a shot")
         return
-    print(f"{'time, s':>9}  {'event':8} {'who':24} speed before -> after, m/s")
+    say(f"{'time, s':>9}  {'event':8} {'who':24} speed before -> after, m/s")
     for event in world.log:
         who = ", ".join([*event.balls, *([event.wall] if event.wall else [])])
-        print(f"{event.time:9.4f}  {event.kind:8} {who:24} {speeds(event)}")
+        say(f"{event.time:9.4f}  {event.kind:8} {who:24} {speeds(event)}")
 
 
 def speeds(event: Event) -> str:
@@ -175,7 +178,7 @@ def write(world: World, rate: float, file: str) -> None:
     """The paths as comma-separated values."""
     times, paths = trace(world, rate)
     names = [ball.name for ball in world.balls]
-    with open(file, "w", newline="") as out:
+    with nullcontext(sys.stdout) if file == "-" else open(file, "w", newline="") as out:
         rows = csv.writer(out)
         rows.writerow(["time", *(f"{name} {axis}" for name in names for axis in "xy")])
         for time, spots in zip(times, paths, strict=True):

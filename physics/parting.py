@@ -26,7 +26,7 @@ def _push_apart(ball: Ball, other: Ball) -> None:
     """Half of what is missing for each, along their line; a ball in the same place goes east."""
     p, q = complex(*ball.position), complex(*other.position)
     far, line = length(q - p), q - p
-    lacks = ball.radius + other.radius - far
+    lacks = ball.touching_distance(other) - far
     if lacks > OVERLAP:
         shift = 0.5 * (lacks + GAP * ball.radius) * (line / far if far else 1.0)
         _move(ball, p - shift)

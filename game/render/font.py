@@ -9,6 +9,7 @@ import numpy as np
 import pygame
 
 import assets
+from game.text.quoting import drawable
 
 from .theme import Colour
 
@@ -51,7 +52,7 @@ class Type:
 
     def width(self, string: str, size: float) -> int:
         """Return the width of `string` in px."""
-        px = self.px(size)
+        px, string = self.px(size), drawable(string)
         if px < SMALL:
             return (self._sized(2 * px).size(string)[0] + 1) // 2
         return self._sized(px).size(string)[0]
@@ -108,6 +109,7 @@ class Type:
         return self._sized(px).get_ascent()
 
     def _drawn(self, string: str, px: int, colour: Colour) -> pygame.Surface:
+        string = drawable(string)
         if px >= SMALL:
             return self._sized(px).render(string, True, colour)
         return _halved(

@@ -6,17 +6,15 @@ import json
 from collections.abc import Callable, Container, Iterable
 from itertools import count
 from pathlib import Path
-from unicodedata import category
 
 from game.settings import user_files
+from game.text.quoting import drawable
 
 from .lineup import LineError, Lineup, read
 
 FORMAT, VERSION = "danggu set-ups", 1
 LONGEST_NAME = 24
 """Characters of a name that a message repeats; the name itself may be longer."""
-UNSEEN = ("Cc", "Cs", "Zl", "Zp")
-"""Kinds of characters that cannot be drawn: controls, lone surrogates, breaks of a line."""
 Items = dict[str, Lineup]
 
 
@@ -115,8 +113,7 @@ class Library:
 
 def plain(name: str) -> str:
     """Return a name as it can be shown: single spaces, and a sign for what cannot be drawn."""
-    name = " ".join(name.split())
-    return "".join("\ufffd" if category(c) in UNSEEN else c for c in name)
+    return drawable(" ".join(name.split()))
 
 
 def free(name: str, taken: Container[str]) -> str:

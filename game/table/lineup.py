@@ -109,7 +109,7 @@ def _check(found: Lineup) -> None:
             raise LineError("name", name)
     lost = [ball.name for ball in _table(found.table).balls if ball.name not in names]
     if lost or not names:
-        raise LineError("missing", ", ".join(lost))
+        raise LineError("missing", ", ".join(lost or [*presets.BALLS][:1]))
     walls = _table(found.table).walls
     for i, (name, at) in enumerate(found.balls):
         if any(wall.distance(at) < balls[name].radius - TOUCHING for wall in walls):

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from unicodedata import category
+
 LONGEST = 60
+UNSEEN = ("Cc", "Cs", "Zl", "Zp")
+"""Kinds of characters that cannot be drawn: controls, lone surrogates, breaks of a line."""
 
 
 def shortly(value: object) -> str:
@@ -17,3 +21,10 @@ def in_a_line(text: object, most: int = 400) -> str:
     """Return a text without breaks of lines, and without what is beyond `most` characters."""
     line = " ".join(str(text).split())
     return line if len(line) <= most else line[: most - 1] + "…"
+
+
+def drawable(text: str) -> str:
+    """Return a text with a sign for each character that cannot be drawn."""
+    if text.isprintable():  # nearly always
+        return text
+    return "".join("\ufffd" if category(c) in UNSEEN else c for c in text)

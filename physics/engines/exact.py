@@ -149,7 +149,7 @@ def _scene(world: "World", budget: int) -> Any:
 def _note_cluster(world: "World", time: float, contacts: int, lasting: bool) -> int:
     """Enter it in the log; returns how many events it counts as, which is never none."""
     ties = world.scene.ties.contacts[:contacts]
-    asked = [(t.first, t.second, t.target) for t in ties if t.target > -inf] if lasting else []
+    asked = [(tie.first, tie.second, tie.target) for tie in ties] if lasting else []
     pairs = [(tie.first, tie.second, tie.total) for tie in ties if tie.total > 0.0]
     members = sorted({ball for tie in ties for ball in (tie.first, tie.second) if ball > WALL})
     for i in members:

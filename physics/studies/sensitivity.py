@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
-from math import nan, pi
+from math import inf, nan, pi
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from physics.ball import Ball
@@ -184,10 +184,11 @@ class _Replay:
             moment = self._moment(time, kind, i, other)
             before = self._carry(involved, moment)
             if shared and shared[3]:
-                self._press_apart(shared[3])
+                self._press_apart(moment, shared[3])
             else:
                 self._collide(kind, i, other, pairs)
             for m in involved:
+                self._count_hops(self.balls[m], kind, bool(shared and shared[3]))
                 self._plan(self.balls[m])
             after = {m: _rows(self.balls[m]) for m in involved}
             for (event, _), who in zip(blows, pairs or [[i]], strict=True):
@@ -235,18 +236,39 @@ class _Replay:
                 tie.first, tie.second = pair
             self.kernel.cluster.collide(len(pairs), balls, scene.ball_rule, ties)
 
-    def _press_apart(self, asked: list[tuple[int, int, float]]) -> None:
-        """Contacts that last part as fast as they did: what they were asked is taken as given."""
-        package, walls = self.kernel, self.scene.walls
-        ties = package.body.ties(len(self.balls))
-        for c, (first, second, target) in enumerate(asked):
-            tie = ties.contacts[c]
-            tie.first, tie.second, tie.target, tie.total = first, second, target, 0.0
-            if second <= WALL:
-                tie.line = -walls[WALL - second].normal
-            ties.chosen[c] = c
+    def _press_apart(self, moment: Dual, asked: list[tuple[int, int, float]]) -> None:
+        """Contacts that last part as fast as they did; what they are asked depends on the shot."""
+        lasting, balls, walls = self.kernel.lasting, self.balls, self.scene.walls
+        ties = self.kernel.body.ties(len(balls))
+        group = ties.contacts[: len(asked)]
+        for tie, (first, second, _) in zip(group, asked, strict=True):
+            tie.first, tie.second, tie.total = first, second, 0.0
+        most, lasts = lasting.pressure(len(asked), moment, balls, ties, walls, self.scene.cloth)
+        chosen = 0
+        for c, (tie, (_, _, target)) in enumerate(zip(group, asked, strict=True)):
+            if target > -inf:
+                tie.target = self._target(tie, moment, most, lasts, target)
+                ties.chosen[chosen] = c
+                chosen += 1
         rules = self.scene.ball_rule, self.scene.cushion_rule
-        package.lasting.press_apart(len(asked), self.balls, ties, self.scene.walls, *rules)
+        lasting.press_apart(chosen, balls, ties, walls, *rules)
+
+    def _count_hops(self, ball: Any, kind: int, lasting: bool) -> None:
+        """As the kernel does: contacts that have lasted for long hop higher."""
+        if lasting:
+            ball.hops += 1
+        elif kind != PHASE:
+            ball.hops = 0
+
+    def _target(self, tie: Any, moment: Dual, most: Any, lasts: Any, target: float) -> Any:
+        """What the contact was asked, with its slope: of the branch that gives the same value."""
+        rule = self.scene.ball_rule if tie.second > WALL else self.scene.cushion_rule
+        for held in (False, True):  # whether they rebounded shows in the value alone
+            at = self.balls, self.scene.walls, rule
+            self.kernel.lasting.aim(tie, moment, most, lasts, 0.0, held, *at)
+            if value(tie.target) == target:
+                return tie.target
+        return target
 
     def rest(self) -> Array:
         """(balls, 2, 5): of the positions, once there are no more events."""

@@ -145,7 +145,7 @@ BROKEN = [
     ("danggu2 medium white=0,0", "mark", "danggu2"),
     ("danggu1", "table", ""),
     ("danggu1 moon white=0,0", "table", "moon"),
-    ("danggu1 medium", "missing", ""),
+    ("danggu1 medium", "missing", "white"),
     ("danggu1 medium white=0", "ball", "white=0"),
     ("danggu1 medium white=0,nan", "ball", "white=0,nan"),
     ("danggu1 medium white=0,x", "ball", "white=0,x"),
