@@ -191,7 +191,7 @@ def happen(i, scene):
         ball.trapped = 0
     carry(ball, time, cloth)
     if ball.meets <= ball.leg_end:
-        return meet(i, ball.partner, time, scene)
+        return meet(i, ball.partner, instant, time, scene)
     kind, goal = PHASE, ball.goal
     if goal < 0:
         end(ball, goal, cloth, scene.cushion_rule.parting)
@@ -272,7 +272,7 @@ def release(ball, walls, parting):
 
 
 @whole
-def meet(i, j, time, scene):
+def meet(i, j, instant, time, scene):
     """Two balls touch, and perhaps others with them."""
     balls = scene.balls
     a, b = balls[i], balls[j]
@@ -282,11 +282,13 @@ def meet(i, j, time, scene):
         go_on_two(i, j, scene)
         return PAIR, j
     slowly = leans(a, b, scene.cloth)
-    if slowly and a.hops >= FEW and b.hops >= FEW:
-        held = a.trapped < 0  # never: False itself would be compiled for once more
+    held = a.trapped > PATIENCE
+    if held or (slowly and a.hops >= FEW and b.hops >= FEW):
         what, contacts = stay(i, j, time, held, scene)
         if what != NOTHING:
             return what, contacts
+    if instant:
+        a.trapped += 1
     if crowded(i, j, time, balls) if not scene.celled else crowded_near(i, j, time, scene):
         return crowd(i, j, time, slowly, scene)
     if slowly:

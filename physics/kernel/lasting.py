@@ -248,7 +248,7 @@ def aim(tie, time, most, lasting, least, held, balls, walls, rule):
         tie.target = lift - gap / lasting if together else -inf
         return max(lift, lent)  # if it closes later, it still knows what it was lent
     if closing <= 0.0 and press <= 0.0:
-        tie.target = 0.0
+        tie.target = least
     elif back:
         tie.target = max(LIGHTLY * rule.parting, lift, least)
     else:
@@ -286,7 +286,7 @@ def lean(i, j, time, held, scene):
     most, lasting = pressure(contacts, time, balls, ties, walls, cloth)
     first_rule = scene.ball_rule if j > WALL else scene.cushion_rule
     if held:
-        elastic = max(scene.ball_rule.restitution, scene.cushion_rule.restitution) >= 1.0
+        elastic = min(scene.ball_rule.restitution, scene.cushion_rule.restitution) >= 1.0
         if members == 1 or elastic:
             return members, 0
     elif not stays(ties.contacts[0], most, balls, first_rule):
@@ -298,7 +298,8 @@ def lean(i, j, time, held, scene):
         return members, -1
     for m in range(members):
         ball = balls[ties.member[m]]
-        ball.hopped, ball.met, ball.hops, ball.lent = time, i, ball.hops + 1, lent
+        ball.hopped, ball.met, ball.lent = time, i, lent
+        ball.hops = max(ball.hops, FEW) + 1
         if held:
             ball.trapped = 0
     return members, contacts

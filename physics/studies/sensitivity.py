@@ -18,6 +18,7 @@ from physics.checks import nonnegative, vector
 from physics.engines.exact import EventDriven
 from physics.kernel.calendar import CUSHION, PAIR, PHASE
 from physics.kernel.impulses import WALL
+from physics.kernel.lasting import FEW
 from physics.kernel.motion import AIRBORNE, RESTING
 from physics.log import Event
 from physics.shot import Shot, direction
@@ -256,7 +257,7 @@ class _Replay:
     def _count_hops(self, ball: Any, kind: int, lasting: bool) -> None:
         """As the kernel does: contacts that have lasted for long hop higher."""
         if lasting:
-            ball.hops += 1
+            ball.hops = max(ball.hops, FEW) + 1
         elif kind != PHASE:
             ball.hops = 0
 

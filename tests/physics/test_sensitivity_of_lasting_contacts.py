@@ -34,8 +34,10 @@ def differences(world, numbers, column):
     return (ends[0] - ends[1]) / (2.0 * STEP) if logs[0] == logs[1] else None
 
 
-@pytest.mark.parametrize("follow", [0.5, 2.0, 3.0])
-@pytest.mark.parametrize("turn", [-0.1, -0.2])
+LASTING = [(0.5, -0.1), (2.0, -0.1), (0.5, -0.2), (2.0, -0.2), (5.0, -0.2)]
+
+
+@pytest.mark.parametrize(("follow", "turn"), LASTING)
 def test_balls_that_stay_pressed_together_have_the_derivatives_of_differences(follow, turn):
     world, numbers = frozen(turn), (2.0, 0.0, follow, 0.0, 0.2)
     found = sensitivity(world, "white", Shot(*numbers))
