@@ -5,7 +5,7 @@ from .contact import first_fall, meeting
 from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave_table, plan_flight
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .impulses import WALL
-from .lasting import FEW, FEWER, NEVER, forget, lean, leans, meets_slowly, rests_on
+from .lasting import FEW, NEVER, forget, lean, leans, meets_slowly, rests_on
 from .laws import hit_ball, hit_wall
 from .motion import AIRBORNE, OFF, RESTING, carry, length, motion, settle, swept
 from .subset import complex, inf, kernel, whole
@@ -220,7 +220,7 @@ def bounce(i, goal, instant, time, scene):
     ball, wall, rule = scene.balls[i], scene.walls[goal], scene.cushion_rule
     held = ball.trapped > PATIENCE
     slowly = rests_on(ball, wall, scene.cloth)
-    if held or (slowly and ball.hops >= FEWER):
+    if held or (slowly and ball.hopped != NEVER):
         what, contacts = stay(i, WALL - goal, time, held, scene)
         if what != NOTHING:
             return what, contacts

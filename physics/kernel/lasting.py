@@ -27,8 +27,7 @@ from .motion import carry, length, motion, place
 from .subset import complex, inf, kernel, room, sqrt
 from .tilt import tilt, touching_distance
 
-FEW, FEWER = 10, 5  # slow hits in a row, of balls and at a cushion; the balls of a break have
-# parted before
+FEW = 10  # slow hits of two balls in a row: those of a break have parted before
 HOP = 2e-3  # radii: how far things part that stay together
 PATIENT = 100  # hops of that height; then higher ones: no player's ball spins for so long
 GROWTH = 0.04  # of the length of a hop, each time
