@@ -21,7 +21,8 @@ from typing import Any
 
 from . import binding
 from .binding import FOLDER, load
-from .kernel.body import Blow, Body, Felt, Line, Rule, Scene, Seat, Tie, no_grid, rows, ties
+from .kernel.body import Blow, Body, Felt, Rule, Scene, Seat, Tie, no_grid, rows, ties
+from .kernel.obstacle import Shape
 
 log = logging.getLogger("physics")
 _lock = Lock()  # threads may ask at once
@@ -230,6 +231,6 @@ def _packed(scene: Scene, body: Any) -> Any:
     grid = body.Grid(
         *cells[:5], np.array(head, int), records(seats, Seat()), np.array(tree, int), np.array(near)
     )
-    walls = records(scene.walls, Line(0j, 0.0, 0j))
+    walls = records(scene.walls, Shape())
     meetings = np.array(scene.meetings, float)
     return body.Scene(rows(scene.balls), meetings, walls, felt, *rules, room, scene.celled, grid)

@@ -10,14 +10,15 @@ from math import inf, sqrt
 from typing import TYPE_CHECKING, Any
 
 from .kernel.body import Body, Scene
-from .kernel.calendar import CLUSTER, NOTHING, UNSOLVED, plan_meetings, start_leg
 from .kernel.calendar import happen as happen_quickly
+from .kernel.calendar import plan_meetings, start_leg
 from .kernel.cluster import closing_speed
 from .kernel.grid import NOBODY, pass_by
 from .kernel.impulses import RUB, ask, slip_between, solve
+from .kernel.kinds import CLUSTER, NOTHING, SLIDING, UNSOLVED
 from .kernel.lasting import leans
 from .kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
-from .kernel.motion import SLIDING, carry, place
+from .kernel.leg import carry, place
 from .kernel.subset import room
 from .kernel.tilt import between, tilt
 

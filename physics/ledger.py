@@ -12,7 +12,8 @@ from math import fsum, sqrt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .kernel.motion import AIRBORNE, ROLLING, SLIDING, faded, length
+from .kernel.kinds import AIRBORNE, ROLLING, SLIDING
+from .kernel.motion import faded, length
 from .log import Event, Leg, Log, State
 
 if TYPE_CHECKING:

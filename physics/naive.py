@@ -11,7 +11,8 @@ from functools import partial
 from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .kernel.motion import RESTING, ROLLING, faded, motion
+from .kernel.kinds import RESTING, ROLLING
+from .kernel.motion import faded, motion
 from .overlap import bring, catch_up, contacts, end_phase, kept, launch, mark, touching
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from .log import Event
 from .trace import trace
-from .wall import Wall
+from .wall import Obstacle
 from .world import World
 
 if TYPE_CHECKING:
@@ -73,15 +73,15 @@ def save(figure: "Figure", file: str | Path) -> None:
 # -- the table -------------------------------------------------------------------------------------
 
 
-def outline(walls: tuple[Wall, ...], out: float = 0.0) -> list[complex]:
+def outline(walls: tuple[Obstacle, ...], out: float = 0.0) -> list[complex]:
     """The corners of what lies inside all walls, each moved out by so many metres."""
     corners = [complex(x, y) * PLANE for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     for wall in walls:
-        corners = cut(corners, Wall(wall.normal, wall.offset - out))
+        corners = cut(corners, wall.moved(out))
     return corners
 
 
-def cut(corners: list[complex], wall: Wall) -> list[complex]:
+def cut(corners: list[complex], wall: Obstacle) -> list[complex]:
     """The part of a convex polygon that is inside the wall."""
     left: list[complex] = []
     for p, q in pairwise([*corners, corners[0]] if corners else []):

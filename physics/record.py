@@ -1,20 +1,20 @@
 """A world or a shot as plain data, for JSON: every number as the kernel has it, so none is lost."""
 
-from dataclasses import asdict, is_dataclass
+from dataclasses import asdict, fields, is_dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from .ball import NAMES, Ball
+from .ball import Ball
+from .kernel.kinds import PHASE_NAMES
 from .kernel.lasting import NEVER
 from .shot import Shot
-from .wall import Wall
+from .wall import Obstacle
 
 if TYPE_CHECKING:
     from .world import World
 
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
 DISTURBED = "disturbed"
-PHASES = NAMES  # in files as elsewhere
 COMPLEX = ("position", "velocity", "acceleration", "roll")
 REAL = ("side", "height", "climb", "fall")
 # what an engine of fixed steps has noted about the leg's end, and beside it
@@ -105,18 +105,21 @@ def _named(thing: Any) -> Data:
     return {"name": type(thing).__name__, **asdict(thing)}
 
 
-def _wall(wall: Wall) -> Data:
-    return {"name": wall.name, "normal": _pair(wall.normal), "offset": wall.offset}
+def _wall(wall: Obstacle) -> Data:
+    """Its name, then the numbers that make it."""
+    made = {field.name: getattr(wall, field.name) for field in fields(wall)}
+    numbers = {key: _pair(z) if isinstance(z, complex) else z for key, z in made.items()}
+    return {"name": wall.name, **numbers}
 
 
 def _ball(ball: Ball, paged: bool) -> Data:
     body = ball.body
-    paged = paged and body.phase in PHASES
+    paged = paged and body.phase in PHASE_NAMES
     return {
         "name": ball.name,
         "radius": body.radius,
         "mass": body.mass,
-        "phase": PHASES.get(body.phase, DISTURBED),
+        "phase": PHASE_NAMES.get(body.phase, DISTURBED),
         "since": body.since,
         **{name: _pair(getattr(body, name)) for name in COMPLEX},
         **{name: getattr(body, name) for name in REAL},

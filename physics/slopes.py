@@ -17,9 +17,8 @@ from .ball import Ball
 from .checks import nonnegative, vector
 from .dual import Dual, kernel, slope, value
 from .engine import EventDriven
-from .kernel.calendar import CUSHION, PAIR, PHASE
 from .kernel.impulses import WALL
-from .kernel.motion import AIRBORNE, RESTING
+from .kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, RESTING
 from .log import Event
 from .shot import Shot, direction
 from .simulation import simulate
@@ -169,7 +168,7 @@ class _Replay:
             # it rolls, but would slip after another shot, for a moment that leaves 5/7 v + 2/7 w
             rolling = (5.0 * slope(body.velocity) + 2.0 * slope(body.roll)) / 7.0
             body.velocity = body.roll = Dual(value(body.velocity), rolling)
-        self.kernel.calendar.plan_leg(body, (), cloth, self.scene.cushion_rule)
+        body.leg_end = body.since + self.kernel.leg.begin(body, cloth)
 
     def events(self) -> Iterator[EventSlope]:
         """Go through them in their order; a cluster, which is many of them, once."""
@@ -195,12 +194,12 @@ class _Replay:
     def _moment(self, time: float, kind: int, i: int, other: int) -> Dual:
         """When it happens: a contact when the gap, which depends on the shot, has closed."""
         ball = self.balls[i]
-        if kind == PHASE:
+        if not KINDS[kind].closes:
             end: Dual = ball.leg_end
             return end
         p, v = self._at(ball, time)
         if kind == CUSHION:
-            toward = self.scene.walls[other].inward
+            toward = self._facing(other, value(p)).conjugate()
         else:
             q, w = self._at(self.balls[other], time)
             p, v = p - q, v - w
@@ -211,19 +210,20 @@ class _Replay:
     def _at(self, ball: Any, time: float) -> tuple[Any, Any]:
         """Position and velocity on its leg, at a time that does not depend on the shot."""
         t = time - ball.since
-        return self.kernel.motion.place(ball, t), ball.velocity + t * ball.acceleration
+        return self.kernel.leg.place(ball, t), ball.velocity + t * ball.acceleration
 
     def _carry(self, involved: list[int], moment: Dual) -> dict[int, Array]:
         for m in involved:
-            self.kernel.motion.carry(self.balls[m], moment, self.scene.cloth)
+            self.kernel.leg.carry(self.balls[m], moment, self.scene.cloth)
         return {m: _rows(self.balls[m]) for m in involved}
 
     def _collide(self, kind: int, i: int, other: int, pairs: list[list[int]]) -> None:
         scene, laws, balls = self.scene, self.kernel.laws, self.balls
-        if kind == PHASE:
-            self.kernel.motion.settle(balls[i])
+        if not KINDS[kind].contact:
+            self.kernel.leg.settle(balls[i])
         elif kind == CUSHION:
-            laws.hit_wall(balls[i], scene.walls[other], scene.cushion_rule)
+            normal = self._facing(other, balls[i].position)
+            laws.hit_wall(balls[i], normal, scene.cushion_rule)
         elif len(pairs) == 1:
             laws.hit_ball(balls[i], balls[other], scene.ball_rule)
         else:
@@ -236,16 +236,20 @@ class _Replay:
 
     def _press_apart(self, asked: list[tuple[int, int, float]]) -> None:
         """Contacts that last part as fast as they did: what they were asked is taken as given."""
-        package, walls = self.kernel, self.scene.walls
+        package = self.kernel
         ties = package.body.ties(len(self.balls))
         for c, (first, second, target) in enumerate(asked):
             tie = ties.contacts[c]
             tie.first, tie.second, tie.target, tie.total = first, second, target, 0.0
             if second <= WALL:
-                tie.line = -walls[WALL - second].normal
+                tie.line = -self._facing(WALL - second, self.balls[first].position)
             ties.chosen[c] = c
         rules = self.scene.ball_rule, self.scene.cushion_rule
-        package.lasting.press_apart(len(asked), self.balls, ties, self.scene.walls, *rules)
+        package.lasting.press_apart(len(asked), self.balls, ties, *rules)
+
+    def _facing(self, k: int, p: Any) -> Any:
+        """The direction in which wall k pushes a ball at p."""
+        return self.kernel.obstacle.facing(self.scene.walls[k], p)
 
     def rest(self) -> Array:
         """(balls, 2, 5): of the positions, once there are no more events."""

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from . import literal, naive
 from .checks import keep, nonnegative, positive
 from .engine import EventBudgetError
-from .kernel.motion import RESTING, carry
+from .kernel.kinds import RESTING
+from .kernel.leg import carry
 from .overlap import contacts, end_phase, launch, mark
 from .record import planned_data
 
@@ -85,7 +86,7 @@ class TimeStepping:
 
     def plan(self, world: "World", disturbed: list[int]) -> None:
         for ball in world.balls:
-            if ball.phase in ("airborne", "off"):
+            if not ball.on_cloth:
                 raise ValueError(f"{ball!r}: fixed steps know only balls on the table")
         SCHEMES[self.scheme].start(world, disturbed)
         world.due = self._grid(world, 0) if _moving(world) else inf

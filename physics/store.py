@@ -13,12 +13,12 @@ from .ball import Ball
 from .checks import finite, vector
 from .cloth import Cloth
 from .kernel.body import Body
-from .kernel.motion import altitude, place
+from .kernel.kinds import PHASE_NAMES
+from .kernel.leg import place, risen
 from .record import (
     COMPLEX,
     DISTURBED,
     PAGE,
-    PHASES,
     REAL,
     VERSION,
     Data,
@@ -31,7 +31,7 @@ from .shot import Shot
 from .wall import Wall
 from .world import World
 
-NUMBERS = {name: number for number, name in PHASES.items()}
+NUMBERS = {name: number for number, name in PHASE_NAMES.items()}
 
 
 def dumps(thing: World | Shot) -> str:
@@ -203,7 +203,7 @@ def _put_balls(world: World, spot: Spot) -> None:
         t = 0.0 if body.phase < 0 else now - body.since
         p = place(body, t)
         mine = Ball(ball["name"].text(), (p.real, p.imag), radius=body.radius, mass=body.mass)
-        world.add(mine).body.height = altitude(body, t)
+        world.add(mine).body.height = risen(body, t)[0]
     world.clock.loose = bool(spot.value.get("loose"))
     if world.clock.loose or not foresees(world):
         world.trust()  # fixed steps let things overlap

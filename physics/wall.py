@@ -1,10 +1,15 @@
-"""A wall: a straight line without end; the table is what lies inside them all."""
+"""A wall: a straight line without end; the table is what lies inside them all.
 
-from dataclasses import dataclass
+What it looks like is the kernel's to say (kernel/obstacle.py); a wall answers with its words.
+"""
+
+from dataclasses import dataclass, replace
+from typing import TypeAlias
 
 from .checks import finite, keep, vector
-from .kernel.body import Line
+from .kernel import obstacle
 from .kernel.motion import length
+from .kernel.obstacle import Shape
 
 UNIT = 1e-9  # how far the length of a normal may be from 1
 ROUNDING = 4e-16  # and of one that is a unit as far as it can be
@@ -54,13 +59,34 @@ class Wall:
         a, b = py - qy, qx - px
         return cls.line(a, b, -(a * px + b * py), name)
 
+    @property
+    def inward(self) -> complex:
+        """The conjugate normal."""
+        return self.normal.conjugate()
+
     def distance(self, p: tuple[float, float]) -> float:
         """How far inside the point (x, y) is, metres; negative outside."""
-        return (self.normal.conjugate() * complex(*p)).real - self.offset
+        return float(obstacle.clearance(self, complex(*p), 0.0))
 
-    def record(self) -> Line:
+    def facing(self, p: tuple[float, float]) -> complex:
+        """The direction, of length 1, in which it pushes what is at the point (x, y)."""
+        return complex(obstacle.facing(self, complex(*p)))
+
+    def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
+        """The greatest distance, m, of a point that begins at p with v and accelerates with a,
+        within t seconds."""
+        return float(obstacle.farthest(self, p, v, a, t))
+
+    def moved(self, out: float) -> "Wall":
+        """The same wall, so many metres further out."""
+        return replace(self, offset=self.offset - out)
+
+    def record(self) -> Shape:
         """The wall as the kernel sees it."""
-        return Line(self.normal, self.offset, self.normal.conjugate())
+        return Shape(self.normal, self.offset, self.inward)
+
+
+Obstacle: TypeAlias = Wall
 
 
 def _unit(normal: complex) -> complex:

@@ -7,15 +7,15 @@ from types import ModuleType
 from typing import Any
 
 from physics import World, engine
-from physics.kernel import calendar, cluster, contact
+from physics.kernel import calendar, cluster, contact, obstacle
 
 WATCHED: dict[str, tuple[str, tuple[ModuleType, ...]]] = {
     # counter: (function, where its name is looked up)
     "events": ("happen", (engine,)),
-    "legs": ("plan_leg", (calendar, engine)),
+    "legs": ("start_leg", (calendar, engine)),
     "contact solves": ("contact_time", (contact, calendar)),
     "pairs met in boxes": ("meeting", (calendar,)),
-    "wall solves": ("first_fall", (calendar,)),
+    "wall solves": ("first_fall", (obstacle,)),
     "nearness tests": ("touching", (cluster,)),
 }
 

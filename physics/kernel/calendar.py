@@ -1,101 +1,61 @@
 """From event to event."""
 
 from .cluster import TOUCHING, blows, collide, crowded, crowded_near, gather
-from .contact import first_fall, meeting
-from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave_table, plan_flight
+from .contact import meeting
+from .flight import hit_aloft, hit_nose, land
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .impulses import WALL
+from .kinds import (
+    AIRBORNE,
+    CLUSTER,
+    CUSHION,
+    LAND,
+    LASTING,
+    NOTHING,
+    OFF,
+    PAIR,
+    REST,
+    RESTING,
+    ROLL,
+    UNSOLVED,
+)
 from .lasting import NEVER, SLOW, forget, lean, leans, meets_slowly, met_last
 from .laws import hit_ball, hit_wall
-from .motion import AIRBORNE, OFF, RESTING, carry, length, motion, settle, swept
+from .leg import begin, carry, leave, reach, settle
+from .motion import length
+from .obstacle import clearance, facing, meet_first, meet_first_aloft
 from .subset import complex, inf, kernel, whole
 
-PHASE_ENDS = -1
 UNKNOWN = -1
 INSTANT = 1e-12  # s: a leg that short goes nowhere
 FACING = 1e-8  # of walls: the length of the sum of their normals when they face each other
 PATIENCE = 64  # how many of them at cushions make a trap
-PHASE, CUSHION, PAIR, CLUSTER, LASTING, NOTHING, UNSOLVED = 0, 1, 2, 3, 4, 5, 6  # an event is
 
 
-@kernel
-def plan_leg(ball, walls, cloth, rule):
-    """How the ball moves from now on, until when, and where it may come."""
-    if aloft(ball):
-        ball.goal = PHASE_ENDS
-        lasts = plan_flight(ball, walls, cloth, rule)
-        ball.leg_end = ball.since + lasts
-        reach(ball, ball.position, ball.velocity, 0j, lasts)
-        return
-    phase, a, lasts = motion(ball.velocity, ball.roll, cloth)
-    if phase == RESTING:
-        ball.velocity = 0j
-        ball.roll = 0j
-    ball.phase = phase
-    ball.acceleration = a
-    ball.goal = PHASE_ENDS
-    p, v = ball.position, ball.velocity
-    if phase != RESTING:
-        for k in range(len(walls)):
-            wall = walls[k]
-            inward = wall.inward
-            speed, bend = (inward * v).real, (inward * a).real
-            if speed < 0.0 or bend < 0.0:
-                wait = first_fall((inward * p).real - wall.offset - ball.radius, speed, bend)
-                if wait < lasts:
-                    lasts, ball.goal = wait, k
-    ball.leg_end = ball.since + lasts
-    reach(ball, p, v, a, lasts)
-
-
-@kernel
-def reach(ball, p, v, a, lasts):
-    """The box that the ball sweeps on its leg: the whole plane if the leg never ends, nothing if
-    the ball is off the table."""
-    r = ball.radius
-    if ball.phase == RESTING:
-        ball.west, ball.east, ball.south, ball.north = (
-            p.real - r,
-            p.real + r,
-            p.imag - r,
-            p.imag + r,
-        )
-    elif lasts == inf:
-        far = -inf if ball.phase == OFF else inf
-        ball.west, ball.east, ball.south, ball.north = -far, far, -far, far
-    else:
-        low, high = swept(p.real, v.real, a.real, lasts)
-        ball.west, ball.east = low - r, high + r
-        low, high = swept(p.imag, v.imag, a.imag, lasts)
-        ball.south, ball.north = low - r, high + r
-
-
-@kernel
+@whole
 def start_leg(i, scene):
-    """Ball i goes on from where it is, as it is."""
+    """Ball i goes on from where it is, as it is: how, until when, and where it may come."""
     ball = scene.balls[i]
-    plan_leg(ball, scene.walls, scene.cloth, scene.cushion_rule)
+    lasts = begin(ball, scene.cloth)
+    ball.goal = NOBODY
+    if ball.phase == AIRBORNE:
+        lasts = meet_first_aloft(ball, scene.walls, scene.cushion_rule, lasts)
+    elif RESTING < ball.phase < OFF:
+        lasts = meet_first(ball, scene.walls, lasts)
+    ball.leg_end = ball.since + lasts
+    reach(ball, lasts)
     if scene.celled:
         scene.grid.seats[i].turn += 1
         plan_crossing(i, ball, ball.since, scene.grid)
 
 
-@kernel
+@whole
 def plan_meetings(i, scene):
     """Enter in the calendar whom ball i will meet, and first of all when."""
+    balls, meetings = scene.balls, scene.meetings
     if scene.celled:
-        plan_near(i, scene.balls, scene.grid)
-    else:
-        plan_table(i, scene.balls, scene.meetings)
-
-
-# To hand on a scene is to hand on two dozen arrays: compiled, that takes longer than to plan a leg.
-# So what every event does without cells takes only what it needs.
-
-
-@kernel
-def plan_table(i, balls, meetings):
-    """Without cells there is a table of all meetings."""
+        plan_near(i, balls, scene.grid)
+        return
     n = len(balls)
     ball = balls[i]
     west, east, south, north = ball.west, ball.east, ball.south, ball.north
@@ -148,18 +108,14 @@ def plan(scene):
         forget(ball)
         if scene.celled:
             locate(i, ball, grid)
-            start_leg(i, scene)
-        else:
-            plan_leg(ball, scene.walls, scene.cloth, scene.cushion_rule)
+        start_leg(i, scene)
         ball.meets, ball.partner, ball.next = inf, NOBODY, ball.leg_end
     for i in range(n):
-        if scene.celled:
-            plan_near(i, balls, grid)
-        elif balls[i].phase != RESTING:
-            plan_table(i, balls, meetings)
+        if scene.celled or balls[i].phase != RESTING:
+            plan_meetings(i, scene)
 
 
-@kernel
+@whole
 def soonest(scene):
     """The ball that the next event belongs to."""
     return scene.grid.tree[1] if scene.celled else earliest(scene.balls)
@@ -192,31 +148,33 @@ def happen(i, scene):
     carry(ball, time, cloth)
     if ball.meets <= ball.leg_end:
         return meet(i, ball.partner, time, scene)
-    kind, goal = PHASE, ball.goal
-    if goal < 0:
-        end(ball, goal, cloth, scene.cushion_rule.parting)
+    kind, goal = ball.ending, ball.goal
+    if kind == ROLL:
+        settle(ball)
+    elif kind == LAND:
+        land(ball, cloth, scene.cushion_rule.parting)
+    elif kind != CUSHION:
+        leave(ball)
     elif ball.phase == AIRBORNE:
-        kind = CUSHION
         hit_nose(ball, scene.walls[goal], scene.cushion_rule)
     else:
         kind, contacts = bounce(i, goal, instant, time, scene)
         if kind != CUSHION:
             return kind, contacts
-    if scene.celled:
-        start_leg(i, scene)
-        plan_near(i, balls, scene.grid)
-    else:
-        plan_leg(ball, scene.walls, cloth, scene.cushion_rule)
-        plan_table(i, balls, scene.meetings)
+    start_leg(i, scene)
+    plan_meetings(i, scene)
+    if kind == ROLL and ball.phase == RESTING:
+        kind = REST
     return kind, goal
 
 
 @whole
 def bounce(i, goal, instant, time, scene):
     """Ball i hits a cushion, or stays there."""
-    ball, wall, rule = scene.balls[i], scene.walls[goal], scene.cushion_rule
+    ball, rule = scene.balls[i], scene.cushion_rule
+    normal = facing(scene.walls[goal], ball.position)
     held = ball.trapped > PATIENCE
-    closing = -(wall.inward * ball.velocity).real
+    closing = -(normal.conjugate() * ball.velocity).real
     slowly = closing <= 2.0 * ball.lent or (
         closing * closing <= SLOW * scene.cloth.slide * ball.radius
     )
@@ -228,7 +186,7 @@ def bounce(i, goal, instant, time, scene):
         meets_slowly(ball, time, i)
     elif ball.hopped != NEVER:
         forget(ball)
-    hit_wall(ball, wall, rule)
+    hit_wall(ball, normal, rule)
     if instant:
         ball.trapped += 1
     if held:
@@ -237,30 +195,19 @@ def bounce(i, goal, instant, time, scene):
 
 
 @kernel
-def end(ball, goal, cloth, parting):
-    """A phase is over, and nothing was hit; or only the cloth."""
-    if goal <= LEAVES:
-        leave_table(ball)
-    elif ball.phase == AIRBORNE:
-        land(ball, cloth, parting)
-    else:
-        settle(ball)
-
-
-@kernel
 def release(ball, walls, parting):
     """A ball that rattles between walls too near to tell apart rolls out, along their bisector.
 
     Between two walls that face each other there is no way out: it rolls on along them.
     """
-    out, inward = 0j, 1.0 + 0j
+    out, normal = 0j, 1.0 + 0j
     for k in range(len(walls)):
-        wall = walls[k]
-        if (wall.inward * ball.position).real - wall.offset - ball.radius < TOUCHING * ball.radius:
-            out, inward = out + wall.normal, wall.inward
+        if clearance(walls[k], ball.position, ball.radius) < TOUCHING * ball.radius:
+            normal = facing(walls[k], ball.position)
+            out += normal
     size = length(out)
     faces = size < FACING
-    out = 1j * inward.conjugate() if faces else 1.0 / size * out
+    out = 1j * normal if faces else 1.0 / size * out
     speed = (out.conjugate() * ball.velocity).real
     turning = (out.conjugate() * ball.roll).real
     if not faces:  # and no energy beyond what the floor may give
@@ -304,17 +251,10 @@ def meet(i, j, time, scene):
 
 @kernel
 def go_on_two(i, j, scene):
-    balls = scene.balls
-    if scene.celled:
-        start_leg(i, scene)
-        start_leg(j, scene)
-        plan_near(i, balls, scene.grid)
-        plan_near(j, balls, scene.grid)
-    else:
-        plan_leg(balls[i], scene.walls, scene.cloth, scene.cushion_rule)
-        plan_leg(balls[j], scene.walls, scene.cloth, scene.cushion_rule)
-        plan_table(i, balls, scene.meetings)
-        plan_table(j, balls, scene.meetings)
+    start_leg(i, scene)
+    start_leg(j, scene)
+    plan_meetings(i, scene)
+    plan_meetings(j, scene)
 
 
 @kernel
@@ -345,11 +285,12 @@ def stay(i, j, time, held, scene):
 
 @kernel
 def go_on(members, scene):
-    """All balls of a cluster have new legs."""
+    """So many balls, those in ties.member, have new legs."""
+    member = scene.ties.member
     for m in range(members):
-        start_leg(scene.ties.member[m], scene)
+        start_leg(member[m], scene)
     for m in range(members):
-        plan_meetings(scene.ties.member[m], scene)
+        plan_meetings(member[m], scene)
 
 
 @whole
@@ -361,7 +302,7 @@ def advance(until, budget, scene):
     balls = scene.balls
     events, last = 0, 0.0
     while events <= budget:
-        i = scene.grid.tree[1] if scene.celled else earliest(balls)
+        i = soonest(scene)
         time = balls[i].next
         if time > until or time == inf:
             break

@@ -6,59 +6,9 @@ the cloth. `height` is how far the ball's lowest point is above the cloth, and b
 has left the table.
 """
 
-from .contact import contact_time, first_fall
 from .laws import SMOOTH_BALL, THESIS_BALL, ball_law, friction, rebound, reduced
-from .motion import AIRBORNE, OFF
-from .subset import complex, inf, kernel, sqrt
-
-LEAVES = -2  # less the number of the wall: the goal of a leg over that cushion
-BELOW = -1.0  # m: the height of a ball that has left the table
-
-
-@kernel
-def aloft(ball):
-    """Is it anywhere but on the cloth?"""
-    return ball.height != 0.0 or ball.climb != 0.0
-
-
-@kernel
-def plan_flight(ball, walls, cloth, rule):
-    """How the ball flies, and until when."""
-    ball.acceleration, ball.fall = 0j, 0.0
-    if ball.height < 0.0:
-        ball.phase = OFF
-        return inf
-    ball.phase, ball.fall = AIRBORNE, cloth.gravity
-    lasts = first_fall(ball.height, ball.climb, -cloth.gravity)
-    for k in range(len(walls)):
-        across, above = nose(gap(ball, walls[k]), ball.radius, ball.height, rule)
-        speed = (walls[k].inward * ball.velocity).real
-        wait = contact_time(
-            complex(across, -above), complex(speed, ball.climb), complex(0.0, -ball.fall),
-            ball.radius, lasts,
-        )  # fmt: skip
-        if wait < lasts:
-            lasts, ball.goal = wait, k
-        if speed < 0.0:
-            wait = max(0.0, -across / speed)
-            if wait < lasts:
-                lasts, ball.goal = wait, LEAVES - k
-    return lasts
-
-
-@kernel
-def gap(ball, wall):
-    """How far the ball is from touching the wall on the table."""
-    return (wall.inward * ball.position).real - wall.offset - ball.radius
-
-
-@kernel
-def nose(gap, radius, height, rule):
-    """How far the centre is from the nose of the cushion, across, and the nose above the centre.
-
-    On the table a ball touches it at `rule.height` radii above the centre.
-    """
-    return gap + radius * rule.level, radius * rule.height - height
+from .obstacle import facing, nose
+from .subset import complex, kernel, sqrt
 
 
 @kernel
@@ -73,18 +23,11 @@ def land(ball, cloth, parting):
 
 
 @kernel
-def leave_table(ball):
-    """It is over the cushion, and off the table."""
-    ball.velocity, ball.roll, ball.side = 0j, 0j, 0.0
-    ball.height, ball.climb, ball.fall = BELOW, 0.0, 0.0
-
-
-@kernel
 def hit_nose(ball, wall, rule):
     """The push goes through the centre, wherever the nose meets the ball; friction as it can."""
-    across, above = nose(gap(ball, wall), ball.radius, ball.height, rule)
+    across, above = nose(wall, ball.position, ball.radius, ball.height, rule)
     size = sqrt(across * across + above * above)
-    line, rise = -across / size * wall.normal, above / size
+    line, rise = -across / size * facing(wall, ball.position), above / size
     closing = (line.conjugate() * ball.velocity).real + rise * ball.climb
     meet_fixed(ball, line, rise, rebound(closing, rule) - closing, rule.friction)
 
