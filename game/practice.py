@@ -7,14 +7,12 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from math import acos
 
-from physics import World
+from physics import Wall, World
 
 Place = tuple[float, float]
 GAP = 1e-6
 """Metres kept free between balls that slide along each other: more than rounding, and unseen."""
 Circle = tuple[complex, float]
-Side = tuple[complex, float]
-"""A wall: its inward normal n and the least n·p that a ball may have."""
 
 
 def slid(world: World, name: str, to: Place) -> Place:
@@ -28,7 +26,7 @@ def slid(world: World, name: str, to: Place) -> Place:
         for ball in world.balls
         if ball.name != name
     ]
-    sides = [(wall.normal, wall.offset + own.radius + GAP) for wall in world.walls]
+    sides = [wall.moved(-own.radius).moved(-GAP) for wall in world.walls]
     wanted = complex(*to)
     near = [p for p in _candidates(wanted, circles, sides) if _free(p, circles, sides)]
     if not near:
@@ -38,38 +36,22 @@ def slid(world: World, name: str, to: Place) -> Place:
 
 
 def _candidates(
-    wanted: complex, circles: Sequence[Circle], sides: Sequence[Side]
+    wanted: complex, circles: Sequence[Circle], sides: Sequence[Wall]
 ) -> Iterator[complex]:
     """Where the nearest free place can be: the place itself, an edge's nearest point, a corner."""
     yield wanted
     for centre, reach in circles:
         away = wanted - centre
         yield centre + reach * (away / abs(away) if away else 1.0)
-    for normal, least in sides:
-        yield wanted + (least - _along(normal, wanted)) * normal
-    for (m, a), (n, b) in combinations(sides, 2):
-        cross = (m.conjugate() * n).imag
-        if abs(cross) > 1e-9:
-            yield (a * n - b * m) * -1j / cross
-    for first in circles:
-        for normal, least in sides:
-            yield from _on_line(first, normal, least)
+    for side in sides:
+        yield side.nearest(wanted)
+    for side, other in combinations(sides, 2):
+        yield from side.corner(other)
+    for centre, reach in circles:
+        for side in sides:
+            yield from side.crossings(centre, reach)
     for first, second in combinations(circles, 2):
         yield from _on_both(first, second)
-
-
-def _along(normal: complex, p: complex) -> float:
-    return (normal.conjugate() * p).real
-
-
-def _on_line(circle: Circle, normal: complex, least: float) -> Iterator[complex]:
-    """Where a circle crosses the line along which a ball touches a wall."""
-    centre, reach = circle
-    foot = centre + (least - _along(normal, centre)) * normal
-    rest = reach * reach - abs(foot - centre) ** 2
-    if rest >= 0.0:
-        yield foot + 1j * normal * rest**0.5
-        yield foot - 1j * normal * rest**0.5
 
 
 def _on_both(first: Circle, second: Circle) -> Iterator[complex]:
@@ -82,8 +64,8 @@ def _on_both(first: Circle, second: Circle) -> Iterator[complex]:
             yield p + a * (q - p) / gap * exp(1j * way)
 
 
-def _free(p: complex, circles: Sequence[Circle], sides: Sequence[Side]) -> bool:
+def _free(p: complex, circles: Sequence[Circle], sides: Sequence[Wall]) -> bool:
     """Is a place free?  What was found on an edge may lie half the gap behind it."""
     slack = GAP / 2
     apart = all(abs(p - centre) >= reach - slack for centre, reach in circles)
-    return apart and all(_along(normal, p) >= least - slack for normal, least in sides)
+    return apart and all(side.distance((p.real, p.imag)) >= -slack for side in sides)

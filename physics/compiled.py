@@ -21,7 +21,19 @@ from typing import Any
 
 from . import binding
 from .binding import FOLDER, load
-from .kernel.body import Blow, Body, Felt, Rule, Scene, Seat, Tie, no_grid, rows, ties
+from .kernel.body import (
+    COLUMNS,
+    Blow,
+    Body,
+    Felt,
+    Rule,
+    Scene,
+    Seat,
+    Tie,
+    no_grid,
+    rows,
+    ties,
+)
 from .kernel.obstacle import Shape
 
 log = logging.getLogger("physics")
@@ -184,7 +196,7 @@ def _play_nothing(package: ModuleType) -> None:
     try:
         package.elementary.directions(np.empty(0), np.empty(0, complex))
         package.calendar.many(
-            np.empty((0, 1, 9)), np.empty((0, 1, 2)), np.empty(0), np.empty(0, np.int64), 0,
+            np.empty((0, 1, COLUMNS)), np.empty((0, 1, 2)), np.empty(0), np.empty(0, np.int64), 0,
             _packed(still, package.body),
         )  # fmt: skip
     finally:

@@ -3,6 +3,7 @@
 What it looks like is the kernel's to say (kernel/obstacle.py); a wall answers with its words.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
@@ -11,6 +12,7 @@ from .kernel import obstacle
 from .kernel.motion import length
 from .kernel.obstacle import Shape
 
+PARALLEL = 1e-9  # the sine of the angle between two walls that are taken to be so
 UNIT = 1e-9  # how far the length of a normal may be from 1
 ROUNDING = 4e-16  # and of one that is a unit as far as it can be
 
@@ -80,6 +82,27 @@ class Wall:
     def moved(self, out: float) -> "Wall":
         """The same wall, so many metres further out."""
         return replace(self, offset=self.offset - out)
+
+    def nearest(self, p: complex) -> complex:
+        """The point on it that is nearest to p."""
+        spot = p.real, p.imag
+        return p - self.distance(spot) * self.facing(spot)
+
+    def corner(self, other: "Wall") -> Iterator[complex]:
+        """Where it meets another wall; nowhere, if they are parallel."""
+        m, n = self.normal, other.normal
+        cross = (m.conjugate() * n).imag
+        if abs(cross) > PARALLEL:
+            yield (self.offset * n - other.offset * m) * -1j / cross
+
+    def crossings(self, centre: complex, radius: float) -> Iterator[complex]:
+        """Where a circle crosses it."""
+        foot = self.nearest(centre)
+        rest = radius * radius - abs(foot - centre) ** 2
+        if rest >= 0.0:
+            aside = 1j * self.normal
+            yield foot + aside * rest**0.5
+            yield foot - aside * rest**0.5
 
     def record(self) -> Shape:
         """The wall as the kernel sees it."""

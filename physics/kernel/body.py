@@ -6,6 +6,10 @@ from math import inf, sqrt
 from operator import attrgetter
 from typing import Any, NamedTuple
 
+# the columns of a batch: how each ball starts, and in the first two where it ends
+X, Y, VX, VY, ROLL_X, ROLL_Y, SIDE, HEIGHT, CLIMB = 0, 1, 2, 3, 4, 5, 6, 7, 8
+COLUMNS = 9
+
 CONTACTS = 7  # a ball, in a cluster: five with balls (docs/physics.md), and two walls
 
 

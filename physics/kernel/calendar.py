@@ -1,5 +1,6 @@
 """From event to event."""
 
+from .body import CLIMB, HEIGHT, ROLL_X, ROLL_Y, SIDE, VX, VY, X, Y
 from .cluster import TOUCHING, blows, collide, crowded, crowded_near, gather
 from .contact import meeting
 from .flight import hit_aloft, hit_nose, land
@@ -321,18 +322,18 @@ def advance(until, budget, scene):
 
 @whole
 def many(starts, rests, times, counts, budget, scene):
-    """Shot after shot, each to rest: `starts` (shots, balls, 9), `rests` (shots, balls, 2)."""
+    """Each shot to its rest: `starts` (shots, balls, columns), `rests` (shots, balls, 2)."""
     balls = scene.balls
     for s in range(len(starts)):
         for i in range(len(balls)):
             x = starts[s][i]
             ball = balls[i]
             ball.since = 0.0
-            ball.position, ball.velocity = complex(x[0], x[1]), complex(x[2], x[3])
-            ball.roll, ball.side = complex(x[4], x[5]), x[6]
-            ball.height, ball.climb = x[7], x[8]
+            ball.position, ball.velocity = complex(x[X], x[Y]), complex(x[VX], x[VY])
+            ball.roll, ball.side = complex(x[ROLL_X], x[ROLL_Y]), x[SIDE]
+            ball.height, ball.climb = x[HEIGHT], x[CLIMB]
         plan(scene)
         counts[s], times[s] = advance(inf, budget, scene)
         for i in range(len(balls)):
-            rests[s][i][0] = balls[i].position.real
-            rests[s][i][1] = balls[i].position.imag
+            rests[s][i][X] = balls[i].position.real
+            rests[s][i][Y] = balls[i].position.imag

@@ -35,10 +35,7 @@ def hit_nose(ball, wall, rule):
 @kernel
 def meet_fixed(ball, line, rise, parting, grip):
     """A contact with what does not move: they part at that speed."""
-    v, climb = ball.velocity, ball.climb
-    closing = (line.conjugate() * v).real + rise * climb
-    along, up = skin(ball.roll, ball.side, line, rise)
-    along, up = v - closing * line + along, climb - closing * rise + up
+    closing, along, up = approach(ball.velocity, ball.climb, ball.roll, ball.side, line, rise)
     slip = sqrt(along.real * along.real + along.imag * along.imag + up * up)
     push = closing + parting
     ball.velocity -= push * line
@@ -57,9 +54,7 @@ def hit_aloft(a, b, rule):
     far = sqrt(line.real * line.real + line.imag * line.imag + rise * rise)
     line, rise = 1.0 / far * line, rise / far
     v, climb = a.velocity - b.velocity, a.climb - b.climb
-    closing = (line.conjugate() * v).real + rise * climb
-    along, up = skin(a.roll + b.roll, a.side + b.side, line, rise)
-    along, up = v - closing * line + along, climb - closing * rise + up
+    closing, along, up = approach(v, climb, a.roll + b.roll, a.side + b.side, line, rise)
     slip = sqrt(along.real * along.real + along.imag * along.imag + up * up)
     push, rub = pair(complex(closing, slip), reduced(a, b), rule)
     if slip > 0.0:
@@ -87,9 +82,15 @@ def shove(ball, push, line, rise, along, up):
 
 
 @kernel
-def skin(roll, side, line, rise):
-    """Rω × n: how fast the ball's surface moves where it looks in the direction n."""
-    return rise * roll + 1j * side * line, -(line.conjugate() * roll).real
+def approach(v, climb, roll, side, line, rise):
+    """(closing speed, slip along the table, slip upward) of a contact in that direction.
+
+    The surface there moves with Rω × n besides.
+    """
+    turn = line.conjugate()
+    closing = (turn * v).real + rise * climb
+    along, up = rise * roll + 1j * side * line, -(turn * roll).real
+    return closing, v - closing * line + along, climb - closing * rise + up
 
 
 @kernel
