@@ -106,10 +106,11 @@ def _named(thing: Any) -> Data:
 
 
 def _wall(wall: Obstacle) -> Data:
-    """Its name, then the numbers that make it."""
+    """Its name, what it is if it is no line, and the numbers that make it."""
+    kind = {} if wall.kind == "line" else {"kind": wall.kind}
     made = {field.name: getattr(wall, field.name) for field in fields(wall)}
     numbers = {key: _pair(z) if isinstance(z, complex) else z for key, z in made.items()}
-    return {"name": wall.name, **numbers}
+    return {"name": wall.name, **kind, **numbers}
 
 
 def _ball(ball: Ball, paged: bool) -> Data:

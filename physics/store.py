@@ -2,6 +2,7 @@
 
 import json
 import os
+from collections.abc import Callable
 from dataclasses import dataclass, fields, is_dataclass
 from math import inf
 from pathlib import Path
@@ -28,7 +29,7 @@ from .record import (
     world_data,
 )
 from .shot import Shot
-from .wall import Wall
+from .wall import OBSTACLES, Obstacle, Wall
 from .world import World
 
 NUMBERS = {name: number for number, name in PHASE_NAMES.items()}
@@ -155,6 +156,9 @@ class Spot:
         return self.value
 
 
+READS: dict[Any, Callable[[Spot], Any]] = {complex: Spot.complex, float: Spot.number}
+
+
 def _world(spot: Spot) -> World:
     world = World(
         _made(Cloth, spot["cloth"]),
@@ -166,10 +170,20 @@ def _world(spot: Spot) -> World:
     if spot["cluster_law"].value is not None:
         world.cluster_law = _made(laws.HertzCluster, spot["cluster_law"])
     for wall in spot["walls"].items():
-        name = None if wall["name"].value is None else wall["name"].text()
-        world.add(Wall(wall["normal"].complex(), wall["offset"].number(), name))
+        world.add(_obstacle(wall))
     _put_balls(world, spot)
     return world
+
+
+def _obstacle(spot: Spot) -> Obstacle:
+    """From its fields, of the kind that it says; else a line."""
+    name = None if spot["name"].value is None else spot["name"].text()
+    kind = spot["kind"].text() if "kind" in spot.value else Wall.kind
+    if kind not in OBSTACLES:
+        raise ValueError(f"{spot.where}.kind is {kind!r}; it must be one of {', '.join(OBSTACLES)}")
+    made = [field for field in fields(OBSTACLES[kind]) if field.name != "name"]
+    numbers = {field.name: READS[field.type](spot[field.name]) for field in made}
+    return OBSTACLES[kind](**numbers, name=name)
 
 
 def _made(kind: Any, spot: Spot) -> Any:

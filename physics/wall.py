@@ -5,7 +5,7 @@ What it looks like is the kernel's to say (kernel/obstacle.py); a wall answers w
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TypeAlias
+from typing import ClassVar, TypeAlias
 
 from .checks import finite, keep, vector
 from .kernel import obstacle
@@ -24,6 +24,8 @@ class Wall:
 
     normal: inward unit normal as a complex number; offset in metres.
     """
+
+    kind: ClassVar[str] = "line"  # in files; every obstacle has one
 
     normal: complex
     offset: float
@@ -109,7 +111,8 @@ class Wall:
         return Shape(self.normal, self.offset, self.inward)
 
 
-Obstacle: TypeAlias = Wall
+Obstacle: TypeAlias = Wall  # or any other that answers alike
+OBSTACLES: dict[str, type[Obstacle]] = {thing.kind: thing for thing in (Wall,)}
 
 
 def _unit(normal: complex) -> complex:
