@@ -7,12 +7,14 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from math import acos
 
-from physics import Wall, World
+from physics import World
 
 Place = tuple[float, float]
 GAP = 1e-6
 """Metres kept free between balls that slide along each other: more than rounding, and unseen."""
 Circle = tuple[complex, float]
+Side = tuple[complex, float]
+"""A line along which a ball slides: its normal n, and n·p for all of its points p."""
 
 
 def slid(world: World, name: str, to: Place) -> Place:
@@ -26,9 +28,11 @@ def slid(world: World, name: str, to: Place) -> Place:
         for ball in world.balls
         if ball.name != name
     ]
-    sides = [wall.moved(-own.radius).moved(-GAP) for wall in world.walls]
-    wanted = complex(*to)
-    near = [p for p in _candidates(wanted, circles, sides) if _free(p, circles, sides)]
+    circles += [circle for wall in world.walls for circle in wall.circles(own.radius, GAP)]
+    sides = [line for wall in world.walls for line in wall.lines(own.radius, GAP)]
+
+    wanted, reach = complex(*to), own.radius + GAP
+    near = [p for p in _candidates(wanted, circles, sides) if _free(p, circles, world, reach)]
     if not near:
         return own.position
     best = min(near, key=lambda p: abs(p - wanted))
@@ -36,22 +40,38 @@ def slid(world: World, name: str, to: Place) -> Place:
 
 
 def _candidates(
-    wanted: complex, circles: Sequence[Circle], sides: Sequence[Wall]
+    wanted: complex, circles: Sequence[Circle], sides: Sequence[Side]
 ) -> Iterator[complex]:
     """Where the nearest free place can be: the place itself, an edge's nearest point, a corner."""
     yield wanted
     for centre, reach in circles:
         away = wanted - centre
         yield centre + reach * (away / abs(away) if away else 1.0)
-    for side in sides:
-        yield side.nearest(wanted)
-    for side, other in combinations(sides, 2):
-        yield from side.corner(other)
-    for centre, reach in circles:
-        for side in sides:
-            yield from side.crossings(centre, reach)
+    for normal, least in sides:
+        yield wanted + (least - _along(normal, wanted)) * normal
+    for (m, a), (n, b) in combinations(sides, 2):
+        cross = (m.conjugate() * n).imag
+        if abs(cross) > 1e-9:
+            yield (a * n - b * m) * -1j / cross
+    for first in circles:
+        for normal, least in sides:
+            yield from _on_line(first, normal, least)
     for first, second in combinations(circles, 2):
         yield from _on_both(first, second)
+
+
+def _along(normal: complex, p: complex) -> float:
+    return (normal.conjugate() * p).real
+
+
+def _on_line(circle: Circle, normal: complex, least: float) -> Iterator[complex]:
+    """Where a circle crosses the line along which a ball touches a wall."""
+    centre, reach = circle
+    foot = centre + (least - _along(normal, centre)) * normal
+    rest = reach * reach - abs(foot - centre) ** 2
+    if rest >= 0.0:
+        yield foot + 1j * normal * rest**0.5
+        yield foot - 1j * normal * rest**0.5
 
 
 def _on_both(first: Circle, second: Circle) -> Iterator[complex]:
@@ -64,8 +84,9 @@ def _on_both(first: Circle, second: Circle) -> Iterator[complex]:
             yield p + a * (q - p) / gap * exp(1j * way)
 
 
-def _free(p: complex, circles: Sequence[Circle], sides: Sequence[Wall]) -> bool:
+def _free(p: complex, circles: Sequence[Circle], world: World, reach: float) -> bool:
     """Is a place free?  What was found on an edge may lie half the gap behind it."""
     slack = GAP / 2
-    apart = all(abs(p - centre) >= reach - slack for centre, reach in circles)
-    return apart and all(side.distance((p.real, p.imag)) >= -slack for side in sides)
+    apart = all(abs(p - centre) >= far - slack for centre, far in circles)
+    at = p.real, p.imag
+    return apart and all(wall.distance(at) >= reach - slack for wall in world.walls)

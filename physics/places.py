@@ -53,7 +53,7 @@ def overlapping(balls: Iterable[Ball], slack: float) -> Iterator[tuple[Ball, Bal
 
 def _depth(ball: Ball, wall: Obstacle, rule: Rule) -> float:
     """How far the ball is in the wall, m; in the air only the wall's nose is in its way."""
-    across, above = nose(wall, complex(*ball.position), ball.radius, ball.height, rule)
+    across, above = nose(wall.shape, complex(*ball.position), ball.radius, ball.height, rule)
     if ball.height > 0.0 and across > 0.0:
         return ball.radius - hypot(across, above)
     return ball.radius - wall.distance(ball.position)

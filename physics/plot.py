@@ -77,15 +77,15 @@ def outline(walls: tuple[Obstacle, ...], out: float = 0.0) -> list[complex]:
     """The corners of what lies inside all walls, each moved out by so many metres."""
     corners = [complex(x, y) * PLANE for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     for wall in walls:
-        corners = cut(corners, wall.moved(out))
+        corners = cut(corners, wall, out)
     return corners
 
 
-def cut(corners: list[complex], wall: Obstacle) -> list[complex]:
-    """The part of a convex polygon that is inside the wall."""
+def cut(corners: list[complex], wall: Obstacle, out: float) -> list[complex]:
+    """The part of a convex polygon that is inside the wall, moved out by so many metres."""
     left: list[complex] = []
     for p, q in pairwise([*corners, corners[0]] if corners else []):
-        a, b = wall.distance((p.real, p.imag)), wall.distance((q.real, q.imag))
+        a, b = (wall.distance((corner.real, corner.imag)) + out for corner in (p, q))
         if a >= 0.0:
             left.append(p)
         if a * b < 0.0:

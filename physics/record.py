@@ -8,7 +8,6 @@ from .ball import Ball
 from .kernel.kinds import PHASE_NAMES
 from .kernel.lasting import NEVER
 from .shot import Shot
-from .wall import Obstacle
 
 if TYPE_CHECKING:
     from .world import World
@@ -105,10 +104,10 @@ def _named(thing: Any) -> Data:
     return {"name": type(thing).__name__, **asdict(thing)}
 
 
-def _wall(wall: Obstacle) -> Data:
+def _wall(wall: Any) -> Data:
     """Its name, what it is if it is no line, and the numbers that make it."""
     kind = {} if wall.kind == "line" else {"kind": wall.kind}
-    made = {field.name: getattr(wall, field.name) for field in fields(wall)}
+    made = {field.name: getattr(wall, field.name) for field in fields(wall) if field.init}
     numbers = {key: _pair(z) if isinstance(z, complex) else z for key, z in made.items()}
     return {"name": wall.name, **kind, **numbers}
 

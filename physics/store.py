@@ -181,9 +181,10 @@ def _obstacle(spot: Spot) -> Obstacle:
     kind = spot["kind"].text() if "kind" in spot.value else Wall.kind
     if kind not in OBSTACLES:
         raise ValueError(f"{spot.where}.kind is {kind!r}; it must be one of {', '.join(OBSTACLES)}")
-    made = [field for field in fields(OBSTACLES[kind]) if field.name != "name"]
-    numbers = {field.name: READS[field.type](spot[field.name]) for field in made}
-    return OBSTACLES[kind](**numbers, name=name)
+    asked = [field for field in fields(OBSTACLES[kind]) if field.init and field.name != "name"]
+    numbers = {field.name: READS[field.type](spot[field.name]) for field in asked}
+    made: Obstacle = OBSTACLES[kind](**numbers, name=name)
+    return made
 
 
 def _made(kind: Any, spot: Spot) -> Any:

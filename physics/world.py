@@ -82,7 +82,7 @@ class World:
             self._add_ball(thing)
         elif isinstance(thing, Obstacle):
             self._walls.append(thing)
-            self.scene.walls.append(thing.record())
+            self.scene.walls.append(thing.shape)
             self._clock.moved = True
         else:
             raise ValueError(f"a world takes a Ball or a Wall, not {thing!r}")

@@ -71,19 +71,22 @@ def test_a_ball_that_has_been_put_into_the_air_is_not_on_the_cloth_before_time_p
     assert (ball.phase, ball.on_cloth, ball.lies, ball.gone) == ("airborne", False, False, False)
 
 
-def test_a_wall_and_the_kernels_record_of_it_give_the_same_answers():
+def test_a_wall_and_its_shape_in_the_kernel_give_the_same_answers():
     wall = Wall.line(3.0, 4.0, 1.0)
     for p, v, a in ((0.2 + 0.1j, -1 + 2j, 0.3 - 1j), (-1j, 0.5 + 0j, -0.5 + 0j)):
         spot = p.real, p.imag
-        assert wall.distance(spot) == clearance(wall.record(), p, 0.0)
-        assert wall.facing(spot) == facing(wall.record(), p) == wall.normal
-        assert wall.farthest(p, v, a, 0.7) == farthest(wall.record(), p, v, a, 0.7)
-        assert wall.distance((wall.nearest(p).real, wall.nearest(p).imag)) == pytest.approx(0.0)
+        assert wall.distance(spot) == clearance(wall.shape, p, 0.0)
+        assert wall.facing(spot) == facing(wall.shape, p) == wall.normal
+        assert wall.farthest(p, v, a, 0.7) == farthest(wall.shape, p, v, a, 0.7)
 
 
-def test_walls_moved_out_are_as_much_farther():
+def test_a_ball_laid_along_a_wall_is_as_far_from_it_as_was_asked():
     wall = Wall.through((0.0, 0.0), (1.0, 0.3))
-    assert wall.moved(0.25).distance((0.1, 0.2)) == pytest.approx(wall.distance((0.1, 0.2)) + 0.25)
+    ((normal, offset),) = wall.lines(0.03, 0.002)
+    for along in (-1.0, 0.0, 2.5):
+        p = (offset + 1j * along) * normal
+        assert wall.distance((p.real, p.imag)) == pytest.approx(0.032, abs=1e-15)
+    assert wall.circles(0.03, 0.002) == ()
 
 
 KNOW_LINES = {"physics/kernel/obstacle.py", "physics/wall.py"}
