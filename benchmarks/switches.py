@@ -24,14 +24,15 @@ def fresh() -> Package:
     copy = ModuleType(f"{name}.subset")
     vars(copy).update({k: v for k, v in vars(subset).items() if not k.startswith("__")})
     package = load(name, copy)
-    for module in ("cluster", "contact", "grid", "laws", "motion", "tilt"):
+    for module in ("cluster", "contact", "grid", "laws", "leg", "motion", "obstacle", "tilt"):
         import_module(f"{name}.{module}")
     return package
 
 
 def replace(package: Package, old: Callable[..., Any], new: Callable[..., Any]) -> None:
     """Put `new` wherever a module of the package has `old`."""
-    for module in (package.calendar, package.cluster, package.contact, package.grid, package.laws):
+    names = ("calendar", "cluster", "contact", "grid", "laws", "leg", "obstacle")
+    for module in (getattr(package, name) for name in names):
         for name, value in list(vars(module).items()):
             if value is old:
                 setattr(module, name, new)
@@ -46,7 +47,7 @@ def without_boxes(package: Package) -> None:
 
 
 def without_rest(package: Package) -> None:
-    contact, place = package.contact, package.motion.place
+    contact, place = package.contact, package.leg.place
 
     def meeting(a: Any, b: Any) -> float:
         if a.since < b.since:
@@ -85,26 +86,19 @@ def without_sign(package: Package) -> None:
 
 def without_reach(package: Package) -> None:
     """Every cushion is solved for, also those the ball moves away from."""
-    calendar, contact, motion = package.calendar, package.contact, package.motion.motion
+    obstacle, leg = package.obstacle, package.leg
 
-    def plan_leg(ball: Any, walls: Any, cloth: Any, _: Any) -> None:
-        phase, a, lasts = motion(ball.velocity, ball.roll, cloth)
-        if phase == package.motion.RESTING:
-            ball.velocity = ball.roll = 0j
-        ball.phase, ball.acceleration, ball.goal = phase, a, calendar.PHASE_ENDS
-        p, v = ball.position, ball.velocity
+    def meet_first(ball: Any, walls: Any, lasts: float) -> float:
+        p, v, a = ball.position, ball.velocity, ball.acceleration
         for k in range(len(walls)):
-            inward, gap = (
-                walls[k].inward,
-                (walls[k].inward * p).real - walls[k].offset - ball.radius,
-            )
-            wait = contact.first_fall(gap, (inward * v).real, (inward * a).real)
+            inward = obstacle.facing(walls[k], p).conjugate()
+            gap = obstacle.clearance(walls[k], p, ball.radius)
+            wait = leg.first_fall(gap, (inward * v).real, (inward * a).real)
             if wait < lasts:
-                lasts, ball.goal = wait, k
-        ball.leg_end = ball.since + lasts
-        calendar.reach(ball, p, v, a, lasts)
+                lasts, ball.goal, ball.ending = wait, k, obstacle.CUSHION
+        return lasts
 
-    replace(package, calendar.plan_leg, plan_leg)
+    replace(package, obstacle.meet_first, meet_first)
 
 
 def without_memory(package: Package) -> None:
@@ -113,8 +107,8 @@ def without_memory(package: Package) -> None:
 
     def replan(i: int, scene: Any) -> Any:
         kind, other = happen(i, scene)
-        for ball in scene.balls:
-            calendar.plan_leg(ball, scene.walls, scene.cloth, scene.cushion_rule)
+        for k in range(len(scene.balls)):
+            calendar.start_leg(k, scene)
         for k in range(len(scene.balls)):
             calendar.plan_meetings(k, scene)
         return kind, other
@@ -176,7 +170,7 @@ def with_spin_events(package: Package) -> None:
             due, k = min((end, k) for k, end in enumerate(ends) if end > done[k])
             if due < time:
                 done[k] = due
-                calendar.plan_leg(balls[k], scene.walls, cloth, scene.cushion_rule)
+                calendar.start_leg(k, scene)
                 calendar.plan_meetings(k, scene)
                 continue
             if time > until or time == inf:
@@ -228,8 +222,11 @@ def count(package: Package, work: Counter[str]) -> None:
 
         replace(package, old, new)
 
-    counted(calendar.plan_table, "box tests", lambda _, i, balls, meetings: len(balls) - 1)
+    def boxes(_: Any, i: int, scene: Any) -> int:
+        return 0 if scene.celled else len(scene.balls) - 1
+
+    counted(calendar.plan_meetings, "box tests", boxes)
     counted(grid.neighbours, "box tests", lambda near, *_: near)
     counted(package.contact.contact_time, "pair solves", lambda *_: 1)
     counted(package.contact.first_fall, "quadratics", lambda *_: 1)
-    counted(calendar.plan_leg, "legs planned", lambda *_: 1)
+    counted(calendar.start_leg, "legs planned", lambda *_: 1)

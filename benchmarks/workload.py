@@ -75,7 +75,7 @@ def truth(make: Callable[[], World], times: Sequence[float] = TIMES) -> Truth:
             events, last = events + more, float(when)
         lapse = [fifty.exact(time) - ball.since if time < inf else 0 for ball in scene.balls]
         pairs = zip(scene.balls, lapse, strict=True)
-        places.append([package.motion.place(ball, t) if t else ball.position for ball, t in pairs])
+        places.append([package.leg.place(ball, t) if t else ball.position for ball, t in pairs])
     return Truth(places, last, events)
 
 

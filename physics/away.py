@@ -5,8 +5,8 @@ from itertools import pairwise
 from math import inf
 from typing import Any
 
-from .kernel.calendar import CUSHION
-from .wall import Wall
+from .kernel.kinds import CUSHION
+from .wall import Obstacle
 
 Raw = tuple[Any, ...]  # a leg or an event as the log keeps it
 EPOCH, SINCE, POSITION, VELOCITY, ACCELERATION, RADIUS = 0, 1, 2, 3, 4, 8  # in a leg
@@ -25,7 +25,11 @@ class Departures:
         """By ball and wall: the leg that began when they last touched."""
 
     def before(
-        self, event: int, events: Sequence[Raw], legs: Sequence[Sequence[Raw]], walls: list[Wall]
+        self,
+        event: int,
+        events: Sequence[Raw],
+        legs: Sequence[Sequence[Raw]],
+        walls: list[Obstacle],
     ) -> float:
         """The gap before that event, for a first touch since the first leg; inf for no touch."""
         for raw in events[len(self._gaps) : event + 1]:
@@ -37,29 +41,19 @@ class Departures:
         self._gaps.clear()
         self._met.clear()
 
-    def _gap(self, raw: Raw, legs: Sequence[Sequence[Raw]], walls: list[Wall]) -> float:
+    def _gap(self, raw: Raw, legs: Sequence[Sequence[Raw]], walls: list[Obstacle]) -> float:
         ball, last, wall = raw[BALL], raw[LEG], raw[WALL]
         first = self._met.get((ball, wall), 0)
         self._met[ball, wall] = last
         return farthest(legs[ball][first : last + 1], walls[wall])
 
 
-def farthest(legs: Sequence[Raw], wall: Wall) -> float:
+def farthest(legs: Sequence[Raw], wall: Obstacle) -> float:
     """The greatest gap, m, between a ball and a wall from its first leg's start to the last's."""
-    inward, most = wall.normal.conjugate(), -inf
+    most = -inf
     for leg, after in pairwise(legs):
-        far = (inward * leg[POSITION]).real
-        out = (inward * leg[VELOCITY]).real
-        if out > 0.0:  # or else it is farthest at the start, or where the next leg starts
-            t = (after[EPOCH] - leg[EPOCH]) + (after[SINCE] - leg[SINCE])
-            far += _gained(out, (inward * leg[ACCELERATION]).real, t)
+        t = (after[EPOCH] - leg[EPOCH]) + (after[SINCE] - leg[SINCE])
+        far = wall.farthest(leg[POSITION], leg[VELOCITY], leg[ACCELERATION], t)
         if far > most:
             most = far
-    return max(0.0, float(most - wall.offset - legs[0][RADIUS]))
-
-
-def _gained(out: float, pull: float, t: float) -> float:
-    """The most that out t + pull t²/2 comes to within t."""
-    if out < -pull * t:  # it turns back on the way
-        return -0.5 * out * out / pull
-    return t * (out + 0.5 * t * pull)
+    return max(0.0, float(most - legs[0][RADIUS]))

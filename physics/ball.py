@@ -3,32 +3,18 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from operator import attrgetter
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from .checks import finite, nonnegative, positive, sizable, vector
 from .kernel.body import Body, Felt, twin
-from .kernel.flight import aloft
+from .kernel.kinds import PHASES, Phase
 from .kernel.lasting import NEVER, forget
-from .kernel.motion import (
-    AIRBORNE,
-    OFF,
-    RESTING,
-    ROLLING,
-    SLIDING,
-    STILL,
-    altitude,
-    carry,
-    faded,
-    motion,
-    place,
-)
+from .kernel.leg import aloft, begin, carry, moved, place, risen
+from .kernel.motion import STILL
 from .kernel.tilt import touching_distance
 
 DISTURBED = -1  # the phase of a ball that somebody has touched and no engine has looked at yet
 NOWHERE = Felt(0.0, 0.0, 0.0)  # the cloth under a ball that is in no world yet
-NAMES = {
-    RESTING: "resting", ROLLING: "rolling", SLIDING: "sliding", AIRBORNE: "airborne", OFF: "off"
-}  # fmt: skip
 
 
 class Placed(NamedTuple):
@@ -161,7 +147,7 @@ class Ball:
     @property
     def velocity(self) -> tuple[float, float]:
         """(vx, vy), m/s."""
-        v = self._body.velocity + (self._clock.now - self._body.since) * self._body.acceleration
+        _, v, _, _ = self._moved()
         return v.real, v.imag
 
     @velocity.setter
@@ -172,10 +158,7 @@ class Ball:
     @property
     def height(self) -> float:
         """How far its lowest point is above the cloth, m."""
-        body = self._body
-        if body.phase != AIRBORNE:
-            return max(0.0, body.height)
-        return float(max(0.0, altitude(body, self._clock.now - body.since)))
+        return float(max(0.0, risen(self._body, self._clock.now - self._body.since)[0]))
 
     @height.setter
     def height(self, value: float) -> None:
@@ -186,12 +169,16 @@ class Ball:
     @property
     def climb(self) -> float:
         """Velocity upward, m/s.  Downward on the cloth, it bounces."""
-        return self._body.climb - (self._clock.now - self._body.since) * self._body.fall
+        return float(risen(self._body, self._clock.now - self._body.since)[1])
 
     @climb.setter
     def climb(self, value: float) -> None:
         climb = finite(f"ball {self.name!r}: climb", value)
         self.on_table().disturb().climb = climb
+
+    def _moved(self) -> Any:
+        """Position, velocity, roll and side as they are now."""
+        return moved(self._body, self._clock.now - self._body.since, self._clock.cloth.fade)
 
     def on_table(self) -> "Ball":
         """The ball; ValueError if it has left the table."""
@@ -202,12 +189,8 @@ class Ball:
     @property
     def spin(self) -> tuple[float, float, float]:
         """(wx, wy, wz), rad/s."""
-        body, t = self._body, self._clock.now - self._body.since
-        gain = t * body.acceleration
-        roll = body.roll + (gain if body.phase == ROLLING else -2.5 * gain)
-        fade = 0.0 if body.phase == AIRBORNE else self._clock.cloth.fade
-        side = faded(body.side, t * body.radius * fade)
-        return -roll.imag / body.radius, roll.real / body.radius, side / body.radius
+        radius, (_, _, roll, side) = self._body.radius, self._moved()
+        return -roll.imag / radius, roll.real / radius, side / radius
 
     @spin.setter
     def spin(self, value: Sequence[float]) -> None:
@@ -225,19 +208,14 @@ class Ball:
         spin about the vertical; "sliding" is refused of a ball whose velocity and spin agree, and
         all three of a ball that is not on the cloth.
         """
-        body = self._body
-        if body.phase == DISTURBED:
-            if aloft(body):
-                return NAMES[OFF if body.height < 0.0 else AIRBORNE]
-            return NAMES[motion(body.velocity, body.roll, self._clock.cloth)[0]]
-        return NAMES[body.phase]
+        return self._does().name
 
     @phase.setter
     def phase(self, value: str) -> None:
         if value not in ("resting", "rolling", "sliding"):
             known = "resting, rolling, sliding"
             raise ValueError(f"ball {self.name!r}: phase must be one of {known}, not {value!r}")
-        if aloft(self._body):
+        if not self.on_cloth:
             raise ValueError(f"ball {self.name!r}: phase: it is {self.phase}, and not on the cloth")
         if value == "sliding":
             if self.phase != value:
@@ -248,6 +226,28 @@ class Ball:
         else:
             body = self.disturb()
             body.velocity = body.roll = 0j
+
+    @property
+    def lies(self) -> bool:
+        """Does it stay where it is until something meets it?  It may still spin on the spot."""
+        return self._does().lies
+
+    @property
+    def on_cloth(self) -> bool:
+        """Is it neither in the air nor gone?"""
+        return not aloft(self._body)
+
+    @property
+    def gone(self) -> bool:
+        """Has it left the table?"""
+        return self._does().gone
+
+    def _does(self) -> Phase:
+        body = self._body
+        if body.phase == DISTURBED:
+            body = twin(body)
+            begin(body, self._clock.cloth)
+        return PHASES[body.phase]
 
     @property
     def placed(self) -> Placed:

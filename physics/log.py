@@ -8,11 +8,11 @@ from typing import Any, NamedTuple, overload
 from .away import Departures
 from .checks import finite
 from .kernel.body import Body
-from .kernel.calendar import CUSHION, PAIR, PHASE
-from .kernel.flight import LEAVES
 from .kernel.impulses import WALL
-from .kernel.motion import AIRBORNE, OFF, RESTING, ROLLING, altitude, faded, length
-from .wall import Wall
+from .kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR
+from .kernel.leg import moved, place, risen
+from .kernel.motion import length
+from .wall import Obstacle
 
 Vector = tuple[float, float]
 
@@ -52,16 +52,16 @@ class Leg(NamedTuple):
 
     def after(self, t: float) -> "Leg":
         """The leg as it is t seconds on: the same motion, begun later."""
-        gain, flies = t * self.acceleration, self.phase == AIRBORNE
+        position, velocity, roll, side = moved(self, t, self.fade)
+        height, climb = risen(self, t)
         return self._replace(
-            since=self.since + t,
-            position=self.position + t * (self.velocity + 0.5 * t * self.acceleration),
-            velocity=self.velocity + gain,
-            roll=self.roll + (gain if self.phase == ROLLING else -2.5 * gain),
-            side=self.side if flies else faded(self.side, t * self.radius * self.fade),
-            height=altitude(self, t) if flies else self.height,
-            climb=self.climb - t * self.fall,
-        )
+            since=self.since + t, position=position, velocity=velocity, roll=roll, side=side,
+            height=height, climb=climb,
+        )  # fmt: skip
+
+    def place(self, t: float) -> complex:
+        """Where it is t seconds on."""
+        return complex(place(self, t))
 
     def state(self) -> State:
         """Where it begins and how."""
@@ -108,9 +108,6 @@ class Event(NamedTuple):
     away: float = inf
 
 
-PHASE_AT = Leg._fields.index("phase")
-
-
 class Contact(NamedTuple):
     """What the rules of a game need of an event "cushion", "ball" or "off": no states."""
 
@@ -127,7 +124,7 @@ class Log(Sequence[Event]):
     def __init__(self) -> None:
         self.names: list[str] = []
         self._masses: list[float] = []
-        self._walls: list[Wall] = []
+        self._walls: list[Obstacle] = []
         self._legs: list[list[tuple[Any, ...]]] = []
         self._events: list[tuple[Any, ...]] = []
         self._departures = Departures()
@@ -140,7 +137,7 @@ class Log(Sequence[Event]):
         self._masses.append(mass)
         self._legs.append([])
 
-    def watch(self, walls: list[Wall]) -> None:
+    def watch(self, walls: list[Obstacle]) -> None:
         """The walls that events will speak of, in their order."""
         self._walls = walls
 
@@ -157,7 +154,8 @@ class Log(Sequence[Event]):
         return bool(self._legs[i])
 
     def note(self, epoch: float, time: float, kind: int, i: int, other: int) -> None:
-        """Ball i has ended a phase, met wall `other` or met ball `other`; new legs have begun."""
+        """Something of that kind has happened to ball i, and wall or ball `other` if there is one;
+        new legs have begun."""
         legs = self._legs
         j = other if kind == PAIR else i
         begun = i, len(legs[i]) - 1, j, len(legs[j]) - 1
@@ -250,14 +248,13 @@ class Log(Sequence[Event]):
     def contacts(self) -> Iterator[Contact]:
         """The hits, and balls that leave the table, in order; ten times as quick as the events."""
         names, walls = self.names, self._walls
-        for k, (epoch, time, kind, other, i, leg, j, _, _) in enumerate(self._events):
-            if kind == CUSHION:
-                away = self._away(k)
-                yield Contact(epoch + time, "cushion", (names[i],), walls[other].name, away)
-            elif kind == PAIR:
-                yield Contact(epoch + time, "ball", (names[i], names[j]), None)
-            elif self._legs[i][leg][PHASE_AT] == OFF:
-                yield Contact(epoch + time, "off", (names[i],), walls[LEAVES - other].name)
+        for k, (epoch, time, number, other, i, _, j, _, _) in enumerate(self._events):
+            kind = KINDS[number]
+            if kind.other == "wall":
+                wall, away = walls[other].name, self._away(k)
+                yield Contact(epoch + time, kind.name, (names[i],), wall, away)
+            elif kind.other == "ball":
+                yield Contact(epoch + time, kind.name, (names[i], names[j]), None)
 
     def __repr__(self) -> str:
         return f"<Log of {len(self)} events>"
@@ -304,21 +301,18 @@ class Log(Sequence[Event]):
         return self._departures.before(index, self._events, self._legs, self._walls)
 
     def _event(self, index: int) -> Event:
-        epoch, time, kind, other, i, leg_i, j, leg_j, shared = self._events[index]
-        first = self._turn(i, leg_i, epoch, time)
+        epoch, time, number, other, i, leg_i, j, leg_j, shared = self._events[index]
+        kind, first = KINDS[number], self._turn(i, leg_i, epoch, time)
         lost = self._lost(i, first)
         names: tuple[str, ...] = (self.names[i],)
         turns: tuple[tuple[Leg, Leg], ...] = (first,)
-        what = _kind(kind, first)
-        point, normal, rise = first[1].position, 0j, -1.0 if what == "land" else 0.0
-        wall = None
-        if kind == CUSHION:
-            met = self._walls[other]
-            wall, normal = met.name, -met.normal
-            point += met.distance((point.real, point.imag)) * normal
-        elif what == "off":
-            wall = self._walls[LEAVES - other].name
-        elif kind == PAIR:
+        point, normal, rise = first[1].position, 0j, -1.0 if kind.other == "cloth" else 0.0
+        wall = self._walls[other] if kind.other == "wall" else None
+        if wall and kind.closes:
+            spot = point.real, point.imag
+            normal = -wall.facing(spot)
+            point += wall.distance(spot) * normal
+        elif kind.other == "ball":
             second = self._turn(j, leg_j, epoch, time)
             names, turns = (self.names[i], self.names[j]), (first, second)
             normal, rise = _toward(first[1], second[1])
@@ -326,8 +320,8 @@ class Log(Sequence[Event]):
             lost += self._lost(j, second)
         closing = _along(first[0], normal, rise)
         push = self._masses[i] * (closing - _along(first[1], normal, rise))
-        impulse = 0.0 if what in ("roll", "rest", "off") else self._masses[i] * _kick(*first)
-        if kind == PAIR:
+        impulse = self._masses[i] * _kick(*first) if kind.contact else 0.0
+        if kind.other == "ball":
             closing -= _along(second[0], normal, rise)
             if rise and AIRBORNE not in (first[0].phase, second[0].phase):
                 level = length(normal)
@@ -339,18 +333,10 @@ class Log(Sequence[Event]):
                 self._lost(m, self._turn(m, leg, epoch, time)) for m, leg in members
             )
         return Event(
-            epoch + time, what, names, wall, (point.real, point.imag),
+            epoch + time, kind.name, names, wall and wall.name, (point.real, point.imag),
             tuple(turn[0].state() for turn in turns), tuple(turn[1].state() for turn in turns),
             closing, impulse, lost, push, self._away(index),
         )  # fmt: skip
-
-
-def _kind(kind: int, turn: tuple[Leg, Leg]) -> str:
-    if kind != PHASE:
-        return "cushion" if kind == CUSHION else "ball"
-    if turn[0].phase == AIRBORNE:
-        return "off" if turn[1].phase == OFF else "land"
-    return "rest" if turn[1].phase == RESTING else "roll"
 
 
 def _toward(a: Leg, b: Leg) -> tuple[complex, float]:

@@ -5,15 +5,15 @@ from collections.abc import Sequence
 from .ball import Ball
 from .kernel.motion import length
 from .places import OVERLAP, overlapping
-from .wall import Wall
+from .wall import Obstacle
 
 GAP = 3e-5  # radii: how far apart they are put; it cannot be seen, and brings the sweeps to an end
 SWEEPS = 2_000  # 60 balls in a heap take 700; where there is no room, some overlap stays
 
 
-def part(balls: Sequence[Ball], walls: Sequence[Wall]) -> None:
+def part(balls: Sequence[Ball], walls: Sequence[Obstacle]) -> None:
     """Move balls on the cloth as little as it takes: both of a pair by half, sweep after sweep."""
-    here = [ball for ball in balls if ball.height == 0.0 and ball.phase != "off"]
+    here = [ball for ball in balls if ball.height == 0.0 and not ball.gone]
     for _ in range(SWEEPS):
         pairs = list(overlapping(here, OVERLAP))
         for ball, other in pairs:
@@ -33,14 +33,15 @@ def _push_apart(ball: Ball, other: Ball) -> None:
         _move(other, q + shift)
 
 
-def _push_inside(balls: Sequence[Ball], walls: Sequence[Wall]) -> bool:
+def _push_inside(balls: Sequence[Ball], walls: Sequence[Obstacle]) -> bool:
     """Bring every ball back in front of the walls; returns whether one was behind them."""
     some = False
     for ball in balls:
         for wall in walls:
             lacks = ball.radius - wall.distance(ball.position)
             if lacks > OVERLAP:
-                _move(ball, complex(*ball.position) + (lacks + GAP * ball.radius) * wall.normal)
+                away = (lacks + GAP * ball.radius) * wall.facing(ball.position)
+                _move(ball, complex(*ball.position) + away)
                 some = True
     return some
 

@@ -5,15 +5,19 @@ from math import hypot
 
 from .ball import Ball
 from .kernel.body import Rule
-from .kernel.flight import nose
 from .kernel.motion import length
-from .wall import Wall
+from .kernel.obstacle import nose
+from .wall import Obstacle
 
 OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
 
 
 def check_places(
-    balls: Sequence[Ball], walls: Sequence[Wall], fresh: Sequence[Wall], rule: Rule, dt: float
+    balls: Sequence[Ball],
+    walls: Sequence[Obstacle],
+    fresh: Sequence[Obstacle],
+    rule: Rule,
+    dt: float,
 ) -> None:
     """ValueError, naming the ball, if one that has been put there lies outside the walls or in
     another one, or any lies outside a wall that is fresh.
@@ -24,7 +28,7 @@ def check_places(
     # fixed steps notice a contact when things overlap by what they move in a step
     fastest = max((length(complex(*ball.velocity)) for ball in balls), default=0.0)
     slack = 2.0 * fastest * dt
-    here = [ball for ball in balls if ball.phase != "off"]
+    here = [ball for ball in balls if not ball.gone]
     for ball in here:
         for wall in walls if ball.put else fresh:
             if _depth(ball, wall, rule) > slack + OVERLAP:
@@ -47,10 +51,9 @@ def overlapping(balls: Iterable[Ball], slack: float) -> Iterator[tuple[Ball, Bal
                 yield here[i], here[k]
 
 
-def _depth(ball: Ball, wall: Wall, rule: Rule) -> float:
+def _depth(ball: Ball, wall: Obstacle, rule: Rule) -> float:
     """How far the ball is in the wall, m; in the air only the wall's nose is in its way."""
-    gap = wall.distance(ball.position) - ball.radius
-    across, above = nose(gap, ball.radius, ball.height, rule)
+    across, above = nose(wall.shape, complex(*ball.position), ball.radius, ball.height, rule)
     if ball.height > 0.0 and across > 0.0:
         return ball.radius - hypot(across, above)
-    return -gap
+    return ball.radius - wall.distance(ball.position)

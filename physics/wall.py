@@ -1,26 +1,66 @@
-"""A wall: a straight line without end; the table is what lies inside them all."""
+"""A wall: a straight line without end; the table is what lies inside them all.
 
-from dataclasses import dataclass
+What an obstacle looks like is for the kernel to say (kernel/obstacle.py); this asks it.
+"""
+
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
 
 from .checks import finite, keep, vector
-from .kernel.body import Line
+from .kernel import obstacle
 from .kernel.motion import length
+from .kernel.obstacle import Shape
 
 UNIT = 1e-9  # how far the length of a normal may be from 1
 ROUNDING = 4e-16  # and of one that is a unit as far as it can be
 
 
+class Obstacle:
+    """What stands on a table: a kind of it has a name and a shape, and says where a ball is that is
+    laid against it."""
+
+    __slots__ = ()
+
+    kind: ClassVar[str]  # in files
+    name: str | None
+    shape: Shape
+
+    def distance(self, p: tuple[float, float]) -> float:
+        """How far away the point (x, y) is, metres; negative in it or behind it."""
+        return float(obstacle.clearance(self.shape, complex(*p), 0.0))
+
+    def facing(self, p: tuple[float, float]) -> complex:
+        """The direction, of length 1, in which it pushes what is at the point (x, y)."""
+        return complex(obstacle.facing(self.shape, complex(*p)))
+
+    def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
+        """The greatest distance, m, of a point that begins at p with v and accelerates with a,
+        within t seconds."""
+        return float(obstacle.farthest(self.shape, p, v, a, t))
+
+    def lines(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
+        """Along which a ball of that radius slides, `gap` away from it, m: each a normal n and the
+        offset d of all centres p, where (conj(n) * p).real is d."""
+        return ()
+
+    def circles(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
+        """The same: centre and radius."""
+        return ()
+
 @dataclass(frozen=True, slots=True)
-class Wall:
+class Wall(Obstacle):
     """Balls are where (conj(normal) * p).real > offset; make one with `Wall.line` or
     `Wall.through`.
 
     normal: inward unit normal as a complex number; offset in metres.
     """
 
+    kind: ClassVar[str] = "line"
+
     normal: complex
     offset: float
     name: str | None = None
+    shape: Shape = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         keep(self, finite, "offset")
@@ -30,6 +70,8 @@ class Wall:
             normal, offset = normal / size, self.offset / size
             object.__setattr__(self, "offset", offset)
         object.__setattr__(self, "normal", normal)
+        shape = Shape(normal, self.offset, normal.conjugate())
+        object.__setattr__(self, "shape", shape)
 
     @classmethod
     def line(cls, a: float, b: float, d: float, name: str | None = None) -> "Wall":
@@ -54,13 +96,11 @@ class Wall:
         a, b = py - qy, qx - px
         return cls.line(a, b, -(a * px + b * py), name)
 
-    def distance(self, p: tuple[float, float]) -> float:
-        """How far inside the point (x, y) is, metres; negative outside."""
-        return (self.normal.conjugate() * complex(*p)).real - self.offset
+    def lines(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
+        return ((self.normal, self.offset + radius + gap),)
 
-    def record(self) -> Line:
-        """The wall as the kernel sees it."""
-        return Line(self.normal, self.offset, self.normal.conjugate())
+
+OBSTACLES: dict[str, Any] = {thing.kind: thing for thing in (Wall,)}
 
 
 def _unit(normal: complex) -> complex:

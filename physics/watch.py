@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from .ball import Ball
 from .engines.exact import EventBudgetError
 from .kernel.body import Body, twin_grid
-from .kernel.flight import aloft
+from .kernel.leg import aloft
 from .kernel.motion import length
 from .kernel.tilt import levelled
 from .laws import ForeignRule

@@ -13,16 +13,16 @@ from .cloth import Cloth, a_cloth
 from .engines.exact import Engine, EventDriven, an_engine
 from .files.record import foresees
 from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_scene
-from .kernel.motion import OFF, RESTING
+from .kernel.kinds import PHASES
 from .log import Log
 from .parting import part
 from .places import check_places
 from .shot import Shot
-from .wall import Wall
+from .wall import Obstacle
 
 FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
 
-Thing = TypeVar("Thing", Ball, Wall)
+Thing = TypeVar("Thing", bound=Ball | Obstacle)
 
 
 class World:
@@ -60,7 +60,7 @@ class World:
         self._asking: list[str] = []  # the law from outside that is just asked
         self._told: list[object] = []  # the laws from outside that were found to gain energy
         self._index: dict[str, int] = {}
-        self._walls: list[Wall] = []
+        self._walls: list[Obstacle] = []
         self._checked = 0  # how many of the walls all balls are known to be inside of
         self.log = Log()
         self.log.watch(self._walls)
@@ -80,9 +80,9 @@ class World:
         self._refuse_laws("add")
         if isinstance(thing, Ball):
             self._add_ball(thing)
-        elif isinstance(thing, Wall):
+        elif isinstance(thing, Obstacle):
             self._walls.append(thing)
-            self.scene.walls.append(thing.record())
+            self.scene.walls.append(thing.shape)
         else:
             raise ValueError(f"a world takes a Ball or a Wall, not {thing!r}")
         self._clock.moved = True
@@ -112,7 +112,7 @@ class World:
         return tuple(self._balls)
 
     @property
-    def walls(self) -> tuple[Wall, ...]:
+    def walls(self) -> tuple[Obstacle, ...]:
         """In the order in which they were added."""
         return tuple(self._walls)
 
@@ -242,7 +242,7 @@ class World:
     @property
     def at_rest(self) -> bool:
         """Does nothing move or roll any more?  (A ball may still spin on the spot.)"""
-        return all(ball.phase in ("resting", "off") for ball in self._balls)
+        return all(ball.lies for ball in self._balls)
 
     @property
     def next_event(self) -> float:
@@ -380,7 +380,7 @@ class World:
             check_places(self._balls, self._walls, fresh, self.scene.cushion_rule, dt)
             self.trust()
             self._lay_grid()
-        if all(body.phase in (RESTING, OFF, DISTURBED) for body in bodies):
+        if all(body.phase == DISTURBED or PHASES[body.phase].lies for body in bodies):
             clock.begin_epoch(bodies)
         self.planned = self.time
         self._engine.plan(self, [i for i, body in enumerate(bodies) if body.phase == DISTURBED])

@@ -172,12 +172,12 @@ def _blamed(met: list[Mark], first: Mark | None, end: float) -> int | None:
 def _bounces(
     told: Story, legs: list[Leg], cue: str, since: float, until: float, world: World
 ) -> tuple[tuple[Place, Place], ...]:
-    normals = {wall.name: wall.normal for wall in world.walls}
+    walls = {wall.name: wall for wall in world.walls}
     found = []
     for event in told.events:
         if event.kind == "cushion" and event.balls == (cue,) and event.time <= until:
-            out = -normals[event.wall]
             at = _turn(legs, since + event.time)[1].position
+            out = -walls[event.wall].facing(at)
             found.append((at, (out.real, out.imag)))
     return tuple(found)
 
@@ -243,18 +243,14 @@ def _moved(legs: list[Leg], since: float, until: float) -> list[tuple[Leg, float
     return [(leg, a, b) for leg, a, b in spans if b > a and _far(leg, a, b)]
 
 
-def _place(leg: Leg, t: float) -> complex:
-    return leg.position + t * (leg.velocity + 0.5 * t * leg.acceleration)
-
-
 def _far(leg: Leg, a: float, b: float) -> bool:
     start = leg.time
-    return abs(_place(leg, b - start) - _place(leg, a - start)) > MOVED
+    return abs(leg.place(b - start) - leg.place(a - start)) > MOVED
 
 
 def _pace(leg: Leg, a: float, b: float) -> float:
     start = leg.time
-    return abs(_place(leg, b - start) - _place(leg, a - start)) / (b - a)
+    return abs(leg.place(b - start) - leg.place(a - start)) / (b - a)
 
 
 def _points(leg: Leg, a: float, b: float) -> list[Place]:
@@ -263,7 +259,7 @@ def _points(leg: Leg, a: float, b: float) -> list[Place]:
     bent = abs((v.conjugate() * g).imag) > 1e-9 * abs(v) * abs(g)
     # over a time h the parabola is |g| h² / 8 away from its chord
     steps = ceil((b - a) * sqrt(abs(g) / (8 * CHORD))) if bent else 1
-    spots = (_place(leg, a + (b - a) * k / steps) for k in range(steps + 1))
+    spots = (leg.place(a + (b - a) * k / steps) for k in range(steps + 1))
     return [(p.real, p.imag) for p in spots]
 
 

@@ -29,7 +29,7 @@ def language(game: Game, key: str = "") -> None:
 def engine(game: Game, key: str = "") -> None:
     """Continue with another engine; only the exact one knows balls in the air or off the table."""
     key = key or _after([*presets.ENGINES], game.engine)
-    if key != "exact" and any(ball.phase in ("airborne", "off") for ball in game.world.balls):
+    if key != "exact" and not all(ball.on_cloth for ball in game.world.balls):
         game.refuse("flight")
         game.engine = "exact"
         return

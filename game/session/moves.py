@@ -19,8 +19,7 @@ if TYPE_CHECKING:
 def moves(world: World) -> bool:
     """Does anything move, roll or spin on the spot?  What has left the table does not."""
     return any(
-        ball.phase not in ("resting", "off") or (ball.phase == "resting" and ball.spin[2] != 0.0)
-        for ball in world.balls
+        not ball.lies or (ball.on_cloth and ball.spin[2] != 0.0) for ball in world.balls
     )
 
 
@@ -53,7 +52,7 @@ def _refusal(game: Game, shot: Shot) -> str:
     """Why the cue ball cannot be struck now, or ""."""
     if game.contest is not None and (why := game.contest.refusal(game)):
         return why
-    if game.world.ball(game.cue).phase == "off":
+    if game.world.ball(game.cue).gone:
         return "off"
     return "flight" if shot.climb and game.engine != "exact" else ""
 
@@ -92,7 +91,7 @@ def place(game: Game) -> None:
 
 def spot(game: Game, spots: World) -> None:
     """Lay what has left the table on its spot, or as near as there is room."""
-    gone = [ball for ball in game.world.balls if ball.phase == "off"]
+    gone = [ball for ball in game.world.balls if ball.gone]
     for ball in gone:
         ball.position = placing.slid(game.world, ball.name, spots.ball(ball.name).position)
     if gone:

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 RATES = (1, 2, 4, 8, 16, 32, 64)
 """Speeds of time in eighths: from an eighth to eight times."""
 USUAL = 8
+HEEDED = ("ball", "cushion", "rest")
+"""Kinds of events that a player is told of; any other is passed over."""
 FRAME = TICKS // 60
 """What a single frame is while time stands."""
 LONGEST_SHOT = 300
@@ -194,8 +196,8 @@ def events(game: Game) -> Sequence[Event]:
 
 
 def notable(game: Game) -> list[Event]:
-    """The events that a player heeds: no ball that begins to roll, no cushion that was not left."""
-    return [event for event in events(game) if event.kind != "roll" and counts(event)]
+    """The events that a player heeds, but for cushions that were not left."""
+    return [event for event in events(game) if event.kind in HEEDED and counts(event)]
 
 
 def passed(game: Game) -> int:

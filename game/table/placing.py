@@ -14,7 +14,7 @@ GAP = 1e-6
 """Metres kept free between balls that slide along each other: more than rounding, and unseen."""
 Circle = tuple[complex, float]
 Side = tuple[complex, float]
-"""A wall: its inward normal n and the least n·p that a ball may have."""
+"""A line along which a ball slides: its normal n, and n·p for all of its points p."""
 
 
 def slid(world: World, name: str, to: Place) -> Place:
@@ -28,9 +28,11 @@ def slid(world: World, name: str, to: Place) -> Place:
         for ball in world.balls
         if ball.name != name
     ]
-    sides = [(wall.normal, wall.offset + own.radius + GAP) for wall in world.walls]
-    wanted = complex(*to)
-    near = [p for p in _candidates(wanted, circles, sides) if _free(p, circles, sides)]
+    circles += [circle for wall in world.walls for circle in wall.circles(own.radius, GAP)]
+    sides = [line for wall in world.walls for line in wall.lines(own.radius, GAP)]
+
+    wanted, reach = complex(*to), own.radius + GAP
+    near = [p for p in _candidates(wanted, circles, sides) if _free(p, circles, world, reach)]
     if not near:
         return own.position
     best = min(near, key=lambda p: abs(p - wanted))
@@ -82,8 +84,9 @@ def _on_both(first: Circle, second: Circle) -> Iterator[complex]:
             yield p + a * (q - p) / gap * exp(1j * way)
 
 
-def _free(p: complex, circles: Sequence[Circle], sides: Sequence[Side]) -> bool:
+def _free(p: complex, circles: Sequence[Circle], world: World, reach: float) -> bool:
     """Is a place free?  What was found on an edge may lie half the gap behind it."""
     slack = GAP / 2
-    apart = all(abs(p - centre) >= reach - slack for centre, reach in circles)
-    return apart and all(_along(normal, p) >= least - slack for normal, least in sides)
+    apart = all(abs(p - centre) >= far - slack for centre, far in circles)
+    at = p.real, p.imag
+    return apart and all(wall.distance(at) >= reach - slack for wall in world.walls)

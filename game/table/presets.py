@@ -91,8 +91,8 @@ def _name(key: str, name: str) -> str:
 
 def size(world: World) -> Place:
     """Length and width between the noses of the four sides, metres."""
-    sides = {wall.name: wall.offset for wall in world.walls}
-    return -sides["west"] - sides["east"], -sides["south"] - sides["north"]
+    sides = {wall.name: wall.distance((0.0, 0.0)) for wall in world.walls}
+    return sides["west"] + sides["east"], sides["south"] + sides["north"]
 
 
 def cue_ball(world: World) -> str:

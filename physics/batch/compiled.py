@@ -21,7 +21,20 @@ from typing import Any
 
 from physics import binding
 from physics.binding import FOLDER, load
-from physics.kernel.body import Blow, Body, Felt, Line, Rule, Scene, Seat, Tie, no_grid, rows, ties
+from physics.kernel.body import (
+    COLUMNS,
+    Blow,
+    Body,
+    Felt,
+    Rule,
+    Scene,
+    Seat,
+    Tie,
+    no_grid,
+    rows,
+    ties,
+)
+from physics.kernel.obstacle import Shape
 
 log = logging.getLogger("physics")
 _lock = Lock()  # threads may ask at once
@@ -212,7 +225,7 @@ def _play_nothing(package: ModuleType) -> None:
     try:
         package.elementary.directions(np.empty(0), np.empty(0, complex))
         package.calendar.many(
-            np.empty((0, 1, 9)), np.empty((0, 1, 2)), np.empty(0), np.empty(0, np.int64), 0,
+            np.empty((0, 1, COLUMNS)), np.empty((0, 1, 2)), np.empty(0), np.empty(0, np.int64), 0,
             _packed(still, package.body),
         )  # fmt: skip
     finally:
@@ -259,6 +272,6 @@ def _packed(scene: Scene, body: Any) -> Any:
     grid = body.Grid(
         *cells[:5], np.array(head, int), records(seats, Seat()), np.array(tree, int), np.array(near)
     )
-    walls = records(scene.walls, Line(0j, 0.0, 0j))
+    walls = records(scene.walls, Shape())
     meetings = np.array(scene.meetings, float)
     return body.Scene(rows(scene.balls), meetings, walls, felt, *rules, room, scene.celled, grid)

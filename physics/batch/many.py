@@ -13,6 +13,7 @@ from physics.ball import Ball
 from physics.checks import LARGEST, array
 from physics.engines.exact import EventDriven
 from physics.kernel import body, calendar, elementary
+from physics.kernel.body import CLIMB, ROLL_X, ROLL_Y, SIDE, VX, VY
 from physics.laws import ForeignRule
 from physics.shot import Shot
 from physics.simulation import simulate
@@ -131,7 +132,7 @@ def _table(shots: Any, np: Any) -> Any:
 
 
 def start(ball: body.Body) -> tuple[float, ...]:
-    """What the kernel sets a ball off with: position, velocity, roll, side, height, climb."""
+    """What the kernel sets a ball off with, in the order of its columns."""
     p, v, w = ball.position, ball.velocity, ball.roll
     return p.real, p.imag, v.real, v.imag, w.real, w.imag, ball.side, ball.height, ball.climb
 
@@ -152,7 +153,7 @@ class Job(NamedTuple):
     """What every piece of a batch needs: it can be sent to another process or machine."""
 
     scene: body.Scene
-    before: Any  # (balls, 9): the `start` of every ball, but for the shot
+    before: Any  # (balls, COLUMNS): the `start` of every ball, but for the shot
     struck: int
     budget: int
     compiled: bool
@@ -164,18 +165,18 @@ class Job(NamedTuple):
         return self._compiled(starts) if self.compiled else self._interpreted(starts)
 
     def _starts(self, table: Any) -> Any:
-        """(shots, balls, 9): the `start` of every ball when the shot is struck."""
+        """(shots, balls, COLUMNS): the `start` of every ball when the shot is struck."""
         import numpy as np
 
         starts = np.tile(self.before, (len(table), 1, 1))
         speed, angle, follow, masse, side = table.T[:5]
         d = self._directions(angle)
         mine = starts[:, self.struck]
-        mine[:, 2], mine[:, 3] = speed * d.real, speed * d.imag
-        mine[:, 4] = follow * d.real + masse * d.imag
-        mine[:, 5] = follow * d.imag - masse * d.real
-        mine[:, 6] = side
-        mine[:, 8] = table[:, 5] if table.shape[1] == 6 else 0.0
+        mine[:, VX], mine[:, VY] = speed * d.real, speed * d.imag
+        mine[:, ROLL_X] = follow * d.real + masse * d.imag
+        mine[:, ROLL_Y] = follow * d.imag - masse * d.real
+        mine[:, SIDE] = side
+        mine[:, CLIMB] = table[:, 5] if table.shape[1] == 6 else 0.0
         return starts
 
     def _directions(self, angle: Any) -> Any:

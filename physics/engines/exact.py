@@ -5,18 +5,10 @@ from math import inf
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from physics.checks import keep, nonnegative, positive
-from physics.kernel.calendar import (
-    LASTING,
-    PAIR,
-    UNSOLVED,
-    earliest,
-    happen,
-    plan_meetings,
-    soonest,
-    start_leg,
-)
+from physics.kernel.calendar import earliest, happen, plan_meetings, soonest, start_leg
 from physics.kernel.grid import locate
 from physics.kernel.impulses import WALL
+from physics.kernel.kinds import CLUSTER, LASTING, PAIR, UNSOLVED
 
 if TYPE_CHECKING:
     from physics.world import World
@@ -117,7 +109,7 @@ class EventDriven:
                 break
             time = due
             kind, other = happen(i, scene) if law is None else _springs(i, scene, law)
-            if kind <= PAIR:
+            if kind < CLUSTER:
                 log.begin(i, epoch, balls[i], fade)
                 if kind == PAIR:
                     log.begin(other, epoch, balls[other], fade)

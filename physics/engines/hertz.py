@@ -10,14 +10,15 @@ from math import inf, sqrt
 from typing import TYPE_CHECKING, Any
 
 from physics.kernel.body import Body, Scene
-from physics.kernel.calendar import CLUSTER, NOTHING, UNSOLVED, plan_meetings, start_leg
 from physics.kernel.calendar import happen as happen_quickly
+from physics.kernel.calendar import plan_meetings, start_leg
 from physics.kernel.cluster import closing_speed
 from physics.kernel.grid import NOBODY, pass_by
 from physics.kernel.impulses import RUB, ask, slip_between, solve
+from physics.kernel.kinds import CLUSTER, NOTHING, SLIDING, UNSOLVED
 from physics.kernel.lasting import leans
 from physics.kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
-from physics.kernel.motion import SLIDING, carry, place
+from physics.kernel.leg import carry, place
 from physics.kernel.subset import room
 from physics.kernel.tilt import between, tilt
 

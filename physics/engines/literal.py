@@ -10,8 +10,9 @@ Constants and laws are its own; walls, radii and masses are the world's.
 from math import sqrt
 from typing import TYPE_CHECKING, Any
 
-from physics.kernel.calendar import CUSHION, PAIR
-from physics.kernel.motion import RESTING, SLIDING, length
+from physics.kernel.kinds import CUSHION, PAIR, RESTING, SLIDING
+from physics.kernel.motion import length
+from physics.kernel.obstacle import clearance, facing
 from physics.kernel.tilt import between
 
 from .overlap import catch_up, kept, mark, note
@@ -79,7 +80,7 @@ def substep(world: "World", time: float, dt: float, k: int) -> None:
             if between(ball, balls[j], offset) <= ball.radius + balls[j].radius:
                 meet(world, time, dt, i, j)
         for n, wall in enumerate(world.scene.walls):
-            if abs((wall.inward * ball.position).real - wall.offset) < ball.radius:
+            if abs(clearance(wall, ball.position, 0.0)) < ball.radius:
                 bounce(world, time, dt, i, n)
     rate = per_second(dt)
     for i, ball in enumerate(balls):
@@ -132,7 +133,8 @@ def forces(
 
 def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
     """Ball i overlaps wall n, coming or going."""
-    ball, normal = world.scene.balls[i], world.scene.walls[n].normal
+    ball = world.scene.balls[i]
+    normal = facing(world.scene.walls[n], ball.position)
     w, wz = come(world, i)
     v, r, m = ball.velocity, ball.radius, ball.mass
     toward = (v * normal.conjugate()).real

@@ -11,7 +11,8 @@ from functools import partial
 from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from physics.kernel.motion import RESTING, ROLLING, faded, motion
+from physics.kernel.kinds import RESTING, ROLLING
+from physics.kernel.motion import faded, motion
 
 from .overlap import bring, catch_up, contacts, end_phase, kept, launch, mark, touching
 

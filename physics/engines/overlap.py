@@ -4,9 +4,10 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from physics.kernel.body import Scene
-from physics.kernel.calendar import CUSHION, PAIR, PHASE
+from physics.kernel.kinds import CUSHION, PAIR, REST, RESTING, ROLL
 from physics.kernel.laws import hit_ball, hit_wall
-from physics.kernel.motion import RESTING, carry, motion, place, settle
+from physics.kernel.leg import begin, carry, place, settle
+from physics.kernel.obstacle import clearance, facing
 from physics.kernel.tilt import between
 
 if TYPE_CHECKING:
@@ -17,10 +18,7 @@ KEEP = 1 / 2000  # s between legs in the log: every leg of a finer grid would fi
 
 def launch(ball: Any, cloth: Any) -> None:
     """How friction moves the ball from now on, and until when, whatever it may meet."""
-    ball.phase, ball.acceleration, lasts = motion(ball.velocity, ball.roll, cloth)
-    if ball.phase == RESTING:
-        ball.velocity = ball.roll = 0j
-    ball.leg_end = ball.next = ball.since + lasts
+    ball.leg_end = ball.next = ball.since + begin(ball, cloth)
 
 
 def catch_up(world: "World") -> None:
@@ -51,7 +49,7 @@ def end_phase(world: "World", time: float, i: int) -> None:
     settle(ball)
     launch(ball, world.scene.cloth)
     mark(world, i)
-    note(world, time, PHASE, i, -1)
+    note(world, time, REST if ball.phase == RESTING else ROLL, i, -1)
 
 
 def touching(
@@ -76,9 +74,10 @@ def touching(
             continue
         for k, wall in enumerate(scene.walls):
             # beyond the wall counts as overlap: only a wall's back would let a ball escape
-            if (wall.inward * p).real - wall.offset <= ball.radius and (
-                wall.inward * speed(i)
-            ).real < 0.0:
+            if (
+                clearance(wall, p, ball.radius) <= 0.0
+                and (facing(wall, p).conjugate() * speed(i)).real < 0.0
+            ):
                 yield CUSHION, i, k
 
 
@@ -119,7 +118,7 @@ def bounce(world: "World", time: float, i: int, k: int) -> None:
     """Ball i hits wall k."""
     scene = world.scene
     ball = bring(world, time, i)
-    hit_wall(ball, scene.walls[k], scene.cushion_rule)
+    hit_wall(ball, facing(scene.walls[k], ball.position), scene.cushion_rule)
     launch(ball, scene.cloth)
     mark(world, i)
     note(world, time, CUSHION, i, k)

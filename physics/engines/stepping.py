@@ -7,11 +7,12 @@ from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 from physics.checks import keep, nonnegative, positive
+from physics.engines.exact import EventBudgetError
 from physics.files.record import planned_data
-from physics.kernel.motion import RESTING, carry
+from physics.kernel.kinds import RESTING
+from physics.kernel.leg import carry
 
 from . import literal, naive
-from .exact import EventBudgetError
 from .overlap import contacts, end_phase, launch, mark
 
 if TYPE_CHECKING:
@@ -86,7 +87,7 @@ class TimeStepping:
 
     def plan(self, world: "World", disturbed: list[int]) -> None:
         for ball in world.balls:
-            if ball.phase in ("airborne", "off"):
+            if not ball.on_cloth:
                 raise ValueError(f"{ball!r}: fixed steps know only balls on the table")
         SCHEMES[self.scheme].start(world, disturbed)
         world.due = self._grid(world, 0) if _moving(world) else inf

@@ -1,13 +1,13 @@
 """A world or a shot as plain data, for JSON: every number as the kernel has it, so none is lost."""
 
-from dataclasses import asdict, is_dataclass
+from dataclasses import asdict, fields, is_dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from physics.ball import NAMES, Ball
+from physics.ball import Ball
+from physics.kernel.kinds import PHASE_NAMES
 from physics.kernel.lasting import NEVER
 from physics.shot import Shot
-from physics.wall import Wall
 
 if TYPE_CHECKING:
     from physics.world import World
@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of what is named
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
 DISTURBED = "disturbed"
-PHASES = NAMES  # in files as elsewhere
 COMPLEX = ("position", "velocity", "acceleration", "roll")
 REAL = ("side", "height", "climb", "fall")
 # what an engine of fixed steps has noted about the leg's end, and beside it
@@ -106,18 +105,22 @@ def _named(thing: Any) -> Data:
     return {"name": type(thing).__name__, **asdict(thing)}
 
 
-def _wall(wall: Wall) -> Data:
-    return {"name": wall.name, "normal": _pair(wall.normal), "offset": wall.offset}
+def _wall(wall: Any) -> Data:
+    """Its name, what it is if it is no line, and the numbers that make it."""
+    kind = {} if wall.kind == "line" else {"kind": wall.kind}
+    made = {field.name: getattr(wall, field.name) for field in fields(wall) if field.init}
+    numbers = {key: _pair(z) if isinstance(z, complex) else z for key, z in made.items()}
+    return {"name": wall.name, **kind, **numbers}
 
 
 def _ball(ball: Ball, paged: bool) -> Data:
     body = ball.body
-    paged = paged and body.phase in PHASES
+    paged = paged and body.phase in PHASE_NAMES
     return {
         "name": ball.name,
         "radius": body.radius,
         "mass": body.mass,
-        "phase": PHASES.get(body.phase, DISTURBED),
+        "phase": PHASE_NAMES.get(body.phase, DISTURBED),
         "since": body.since,
         **{name: _pair(getattr(body, name)) for name in COMPLEX},
         **{name: getattr(body, name) for name in REAL},

@@ -2,6 +2,7 @@
 
 import json
 import os
+from collections.abc import Callable
 from dataclasses import dataclass, fields, is_dataclass
 from math import inf
 from pathlib import Path
@@ -14,16 +15,16 @@ from physics.checks import finite, vector
 from physics.cloth import Cloth
 from physics.engines import exact, stepping
 from physics.kernel.body import Body
-from physics.kernel.motion import altitude, place
+from physics.kernel.kinds import PHASE_NAMES
+from physics.kernel.leg import place, risen
 from physics.shot import Shot
-from physics.wall import Wall
+from physics.wall import OBSTACLES, Obstacle, Wall
 from physics.world import World
 
 from .record import (
     COMPLEX,
     DISTURBED,
     PAGE,
-    PHASES,
     REAL,
     VERSION,
     Data,
@@ -33,7 +34,7 @@ from .record import (
     world_data,
 )
 
-NUMBERS = {name: number for number, name in PHASES.items()}
+NUMBERS = {name: number for number, name in PHASE_NAMES.items()}
 
 
 def dumps(thing: World | Shot) -> str:
@@ -157,6 +158,9 @@ class Spot:
         return self.value
 
 
+READS: dict[Any, Callable[[Spot], Any]] = {complex: Spot.complex, float: Spot.number}
+
+
 def _world(spot: Spot) -> World:
     world = World(
         _made(Cloth, spot["cloth"]),
@@ -168,10 +172,21 @@ def _world(spot: Spot) -> World:
     if spot["cluster_law"].value is not None:
         world.cluster_law = _made(laws.HertzCluster, spot["cluster_law"])
     for wall in spot["walls"].items():
-        name = None if wall["name"].value is None else wall["name"].text()
-        world.add(Wall(wall["normal"].complex(), wall["offset"].number(), name))
+        world.add(_obstacle(wall))
     _put_balls(world, spot)
     return world
+
+
+def _obstacle(spot: Spot) -> Obstacle:
+    """From its fields, of the kind that it says; else a line."""
+    name = None if spot["name"].value is None else spot["name"].text()
+    kind = spot["kind"].text() if "kind" in spot.value else Wall.kind
+    if kind not in OBSTACLES:
+        raise ValueError(f"{spot.where}.kind is {kind!r}; it must be one of {', '.join(OBSTACLES)}")
+    asked = [field for field in fields(OBSTACLES[kind]) if field.init and field.name != "name"]
+    numbers = {field.name: READS[field.type](spot[field.name]) for field in asked}
+    made: Obstacle = OBSTACLES[kind](**numbers, name=name)
+    return made
 
 
 def _made(kind: Any, spot: Spot) -> Any:
@@ -205,7 +220,7 @@ def _put_balls(world: World, spot: Spot) -> None:
         t = 0.0 if body.phase < 0 else now - body.since
         p = place(body, t)
         mine = Ball(ball["name"].text(), (p.real, p.imag), radius=body.radius, mass=body.mass)
-        world.add(mine).body.height = altitude(body, t)
+        world.add(mine).body.height = risen(body, t)[0]
     world.clock.loose = bool(spot.value.get("loose"))
     if world.clock.loose or not foresees(world):
         world.trust()  # fixed steps let things overlap

@@ -6,6 +6,10 @@ from math import inf, sqrt
 from operator import attrgetter
 from typing import Any, NamedTuple
 
+# the columns of a batch: how each ball starts, and in the first two where it ends
+X, Y, VX, VY, ROLL_X, ROLL_Y, SIDE, HEIGHT, CLIMB = 0, 1, 2, 3, 4, 5, 6, 7, 8
+COLUMNS = 9
+
 CONTACTS = 7  # a ball, in a cluster: five with balls (docs/physics.md), and two walls
 
 
@@ -29,7 +33,8 @@ class Body:
     phase: int = 0
     # what ends the leg, and the box it sweeps till then
     leg_end: float = inf
-    goal: int = -1
+    goal: int = -1  # the number of the wall that does, or -1
+    ending: int = 0  # the kind of event that does, see kernel/kinds.py
     west: float = 0.0
     east: float = 0.0
     south: float = 0.0
@@ -52,15 +57,6 @@ _values = attrgetter(*Body.__slots__)
 def twin(ball: Body) -> Body:
     """The same record once more."""
     return Body(*_values(ball))
-
-
-@dataclass(slots=True, eq=False)
-class Line:
-    """A wall: the table is where (inward * p).real > offset."""
-
-    normal: complex
-    offset: float
-    inward: complex  # the conjugate normal: (inward * v).real is the speed out of the wall
 
 
 @dataclass(slots=True, eq=False)

@@ -1,101 +1,62 @@
 """From event to event."""
 
+from .body import CLIMB, HEIGHT, ROLL_X, ROLL_Y, SIDE, VX, VY, X, Y
 from .cluster import TOUCHING, blows, collide, crowded, crowded_near, gather
-from .contact import first_fall, meeting
-from .flight import LEAVES, aloft, hit_aloft, hit_nose, land, leave_table, plan_flight
+from .contact import meeting
+from .flight import hit_aloft, hit_nose, land
 from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
 from .impulses import WALL
+from .kinds import (
+    AIRBORNE,
+    CLUSTER,
+    CUSHION,
+    LAND,
+    LASTING,
+    NOTHING,
+    OFF,
+    PAIR,
+    REST,
+    RESTING,
+    ROLL,
+    UNSOLVED,
+)
 from .lasting import FEW, NEVER, forget, lean, leans, meets_slowly, rests_on
 from .laws import hit_ball, hit_wall
-from .motion import AIRBORNE, OFF, RESTING, carry, length, motion, settle, swept
+from .leg import begin, carry, leave, reach, settle
+from .motion import length
+from .obstacle import clearance, facing, meet_first, meet_first_aloft
 from .subset import complex, inf, kernel, whole
 
-PHASE_ENDS = -1
 UNKNOWN = -1
 INSTANT = 1e-8  # s: no contact of real balls is so short; a leg that short goes nowhere
 FACING = 1e-8  # of walls: the length of the sum of their normals when they face each other
 PATIENCE = 16  # how many of them at cushions make a trap
-PHASE, CUSHION, PAIR, CLUSTER, LASTING, NOTHING, UNSOLVED = 0, 1, 2, 3, 4, 5, 6  # an event is
 
 
-@kernel
-def plan_leg(ball, walls, cloth, rule):
-    """How the ball moves from now on, until when, and where it may come."""
-    if aloft(ball):
-        ball.goal = PHASE_ENDS
-        lasts = plan_flight(ball, walls, cloth, rule)
-        ball.leg_end = ball.since + lasts
-        reach(ball, ball.position, ball.velocity, 0j, lasts)
-        return
-    phase, a, lasts = motion(ball.velocity, ball.roll, cloth)
-    if phase == RESTING:
-        ball.velocity = 0j
-        ball.roll = 0j
-    ball.phase = phase
-    ball.acceleration = a
-    ball.goal = PHASE_ENDS
-    p, v = ball.position, ball.velocity
-    if phase != RESTING:
-        for k in range(len(walls)):
-            wall = walls[k]
-            inward = wall.inward
-            speed, bend = (inward * v).real, (inward * a).real
-            if speed < 0.0 or bend < 0.0:
-                wait = first_fall((inward * p).real - wall.offset - ball.radius, speed, bend)
-                if wait < lasts:
-                    lasts, ball.goal = wait, k
-    ball.leg_end = ball.since + lasts
-    reach(ball, p, v, a, lasts)
-
-
-@kernel
-def reach(ball, p, v, a, lasts):
-    """The box that the ball sweeps on its leg: the whole plane if the leg never ends, nothing if
-    the ball is off the table."""
-    r = ball.radius
-    if ball.phase == RESTING:
-        ball.west, ball.east, ball.south, ball.north = (
-            p.real - r,
-            p.real + r,
-            p.imag - r,
-            p.imag + r,
-        )
-    elif lasts == inf:
-        far = -inf if ball.phase == OFF else inf
-        ball.west, ball.east, ball.south, ball.north = -far, far, -far, far
-    else:
-        low, high = swept(p.real, v.real, a.real, lasts)
-        ball.west, ball.east = low - r, high + r
-        low, high = swept(p.imag, v.imag, a.imag, lasts)
-        ball.south, ball.north = low - r, high + r
-
-
-@kernel
+@whole
 def start_leg(i, scene):
-    """Ball i goes on from where it is, as it is."""
+    """Ball i goes on from where it is, as it is: how, until when, and where it may come."""
     ball = scene.balls[i]
-    plan_leg(ball, scene.walls, scene.cloth, scene.cushion_rule)
+    lasts = begin(ball, scene.cloth)
+    ball.goal = NOBODY
+    if ball.phase == AIRBORNE:
+        lasts = meet_first_aloft(ball, scene.walls, scene.cushion_rule, lasts)
+    elif RESTING < ball.phase < OFF:
+        lasts = meet_first(ball, scene.walls, lasts)
+    ball.leg_end = ball.since + lasts
+    reach(ball, lasts)
     if scene.celled:
         scene.grid.seats[i].turn += 1
         plan_crossing(i, ball, ball.since, scene.grid)
 
 
-@kernel
+@whole
 def plan_meetings(i, scene):
     """Enter in the calendar whom ball i will meet, and first of all when."""
+    balls, meetings = scene.balls, scene.meetings
     if scene.celled:
-        plan_near(i, scene.balls, scene.grid)
-    else:
-        plan_table(i, scene.balls, scene.meetings)
-
-
-# To hand on a scene is to hand on two dozen arrays: compiled, that takes longer than to plan a leg.
-# So what every event does without cells takes only what it needs.
-
-
-@kernel
-def plan_table(i, balls, meetings):
-    """Without cells there is a table of all meetings."""
+        plan_near(i, balls, scene.grid)
+        return
     n = len(balls)
     ball = balls[i]
     west, east, south, north = ball.west, ball.east, ball.south, ball.north
@@ -148,18 +109,14 @@ def plan(scene):
         forget(ball)
         if scene.celled:
             locate(i, ball, grid)
-            start_leg(i, scene)
-        else:
-            plan_leg(ball, scene.walls, scene.cloth, scene.cushion_rule)
+        start_leg(i, scene)
         ball.meets, ball.partner, ball.next = inf, NOBODY, ball.leg_end
     for i in range(n):
-        if scene.celled:
-            plan_near(i, balls, grid)
-        elif balls[i].phase != RESTING:
-            plan_table(i, balls, meetings)
+        if scene.celled or balls[i].phase != RESTING:
+            plan_meetings(i, scene)
 
 
-@kernel
+@whole
 def soonest(scene):
     """The ball that the next event belongs to."""
     return scene.grid.tree[1] if scene.celled else earliest(scene.balls)
@@ -192,34 +149,36 @@ def happen(i, scene):
     carry(ball, time, cloth)
     if ball.meets <= ball.leg_end:
         return meet(i, ball.partner, instant, time, scene)
-    kind, goal = PHASE, ball.goal
-    if goal < 0:
-        end(ball, goal, cloth, scene.cushion_rule.parting)
+    kind, goal = ball.ending, ball.goal
+    if kind == ROLL:
+        settle(ball)
+    elif kind == LAND:
+        land(ball, cloth, scene.cushion_rule.parting)
+    elif kind != CUSHION:
+        leave(ball)
     elif ball.phase == AIRBORNE:
-        kind = CUSHION
         hit_nose(ball, scene.walls[goal], scene.cushion_rule)
-    elif ball.hopped == NEVER and not (instant or rests_on(ball, scene.walls[goal], cloth)):
-        kind = CUSHION
-        hit_wall(ball, scene.walls[goal], scene.cushion_rule)
     else:
-        kind, contacts = bounce(i, goal, instant, time, scene)
-        if kind != CUSHION:
-            return kind, contacts
-    if scene.celled:
-        start_leg(i, scene)
-        plan_near(i, balls, scene.grid)
-    else:
-        plan_leg(ball, scene.walls, cloth, scene.cushion_rule)
-        plan_table(i, balls, scene.meetings)
+        normal = facing(scene.walls[goal], ball.position)
+        if instant or ball.hopped != NEVER or rests_on(ball, normal, cloth):
+            kind, contacts = bounce(i, goal, normal, instant, time, scene)
+            if kind != CUSHION:
+                return kind, contacts
+        else:
+            hit_wall(ball, normal, scene.cushion_rule)
+    start_leg(i, scene)
+    plan_meetings(i, scene)
+    if kind == ROLL and ball.phase == RESTING:
+        kind = REST
     return kind, goal
 
 
 @whole
-def bounce(i, goal, instant, time, scene):
+def bounce(i, goal, normal, instant, time, scene):
     """Ball i hits a cushion, slowly or at once after something else; perhaps it stays there."""
-    ball, wall, rule = scene.balls[i], scene.walls[goal], scene.cushion_rule
+    ball, rule = scene.balls[i], scene.cushion_rule
     held = ball.trapped > PATIENCE
-    slowly = rests_on(ball, wall, scene.cloth)
+    slowly = rests_on(ball, normal, scene.cloth)
     if held or (slowly and ball.hopped != NEVER):
         what, contacts = stay(i, WALL - goal, time, held, scene)
         if what != NOTHING:
@@ -228,7 +187,7 @@ def bounce(i, goal, instant, time, scene):
         meets_slowly(ball, time, i)
     elif ball.hopped != NEVER:
         forget(ball)
-    hit_wall(ball, wall, rule)
+    hit_wall(ball, normal, rule)
     if instant:
         ball.trapped += 1
     if held:
@@ -237,30 +196,19 @@ def bounce(i, goal, instant, time, scene):
 
 
 @kernel
-def end(ball, goal, cloth, parting):
-    """A phase is over, and nothing was hit; or only the cloth."""
-    if goal <= LEAVES:
-        leave_table(ball)
-    elif ball.phase == AIRBORNE:
-        land(ball, cloth, parting)
-    else:
-        settle(ball)
-
-
-@kernel
 def release(ball, walls, parting):
     """A ball that rattles between walls too near to tell apart rolls out, along their bisector.
 
     Between two walls that face each other there is no way out: it rolls on along them.
     """
-    out, inward = 0j, 1.0 + 0j
+    out, normal = 0j, 1.0 + 0j
     for k in range(len(walls)):
-        wall = walls[k]
-        if (wall.inward * ball.position).real - wall.offset - ball.radius < TOUCHING * ball.radius:
-            out, inward = out + wall.normal, wall.inward
+        if clearance(walls[k], ball.position, ball.radius) < TOUCHING * ball.radius:
+            normal = facing(walls[k], ball.position)
+            out += normal
     size = length(out)
     faces = size < FACING
-    out = 1j * inward.conjugate() if faces else 1.0 / size * out
+    out = 1j * normal if faces else 1.0 / size * out
     speed = (out.conjugate() * ball.velocity).real
     turning = (out.conjugate() * ball.roll).real
     if not faces:  # and no energy beyond what the floor may give
@@ -306,17 +254,10 @@ def meet(i, j, instant, time, scene):
 
 @kernel
 def go_on_two(i, j, scene):
-    balls = scene.balls
-    if scene.celled:
-        start_leg(i, scene)
-        start_leg(j, scene)
-        plan_near(i, balls, scene.grid)
-        plan_near(j, balls, scene.grid)
-    else:
-        plan_leg(balls[i], scene.walls, scene.cloth, scene.cushion_rule)
-        plan_leg(balls[j], scene.walls, scene.cloth, scene.cushion_rule)
-        plan_table(i, balls, scene.meetings)
-        plan_table(j, balls, scene.meetings)
+    start_leg(i, scene)
+    start_leg(j, scene)
+    plan_meetings(i, scene)
+    plan_meetings(j, scene)
 
 
 @kernel
@@ -347,11 +288,12 @@ def stay(i, j, time, held, scene):
 
 @kernel
 def go_on(members, scene):
-    """All balls of a cluster have new legs."""
+    """So many balls, those in ties.member, have new legs."""
+    member = scene.ties.member
     for m in range(members):
-        start_leg(scene.ties.member[m], scene)
+        start_leg(member[m], scene)
     for m in range(members):
-        plan_meetings(scene.ties.member[m], scene)
+        plan_meetings(member[m], scene)
 
 
 @whole
@@ -363,7 +305,7 @@ def advance(until, budget, scene):
     balls = scene.balls
     events, last = 0, 0.0
     while events <= budget:
-        i = scene.grid.tree[1] if scene.celled else earliest(balls)
+        i = soonest(scene)
         time = balls[i].next
         if time > until or time == inf:
             break
@@ -382,18 +324,18 @@ def advance(until, budget, scene):
 
 @whole
 def many(starts, rests, times, counts, budget, scene):
-    """Shot after shot, each to rest: `starts` (shots, balls, 9), `rests` (shots, balls, 2)."""
+    """Each shot to its rest: `starts` (shots, balls, columns), `rests` (shots, balls, 2)."""
     balls = scene.balls
     for s in range(len(starts)):
         for i in range(len(balls)):
             x = starts[s][i]
             ball = balls[i]
             ball.since = 0.0
-            ball.position, ball.velocity = complex(x[0], x[1]), complex(x[2], x[3])
-            ball.roll, ball.side = complex(x[4], x[5]), x[6]
-            ball.height, ball.climb = x[7], x[8]
+            ball.position, ball.velocity = complex(x[X], x[Y]), complex(x[VX], x[VY])
+            ball.roll, ball.side = complex(x[ROLL_X], x[ROLL_Y]), x[SIDE]
+            ball.height, ball.climb = x[HEIGHT], x[CLIMB]
         plan(scene)
         counts[s], times[s] = advance(inf, budget, scene)
         for i in range(len(balls)):
-            rests[s][i][0] = balls[i].position.real
-            rests[s][i][1] = balls[i].position.imag
+            rests[s][i][X] = balls[i].position.real
+            rests[s][i][Y] = balls[i].position.imag

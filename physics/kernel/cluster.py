@@ -8,8 +8,10 @@ in line.
 from .body import CONTACTS
 from .grid import neighbours
 from .impulses import PUSH, RUB, ask, other, slip_between, solve
+from .kinds import AIRBORNE
 from .laws import FOREIGN_BALL, SMOOTH_BALL, THESIS_BALL, grip, hit_ball, rebound, toward
-from .motion import AIRBORNE, length, place
+from .leg import place
+from .motion import length
 from .subset import kernel, room
 from .tilt import between, tilt
 

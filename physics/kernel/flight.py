@@ -6,59 +6,9 @@ the cloth. `height` is how far the ball's lowest point is above the cloth, and b
 has left the table.
 """
 
-from .contact import contact_time, first_fall
 from .laws import SMOOTH_BALL, THESIS_BALL, ball_law, friction, rebound, reduced
-from .motion import AIRBORNE, OFF
-from .subset import complex, inf, kernel, sqrt
-
-LEAVES = -2  # less the number of the wall: the goal of a leg over that cushion
-BELOW = -1.0  # m: the height of a ball that has left the table
-
-
-@kernel
-def aloft(ball):
-    """Is it anywhere but on the cloth?"""
-    return ball.height != 0.0 or ball.climb != 0.0
-
-
-@kernel
-def plan_flight(ball, walls, cloth, rule):
-    """How the ball flies, and until when."""
-    ball.acceleration, ball.fall = 0j, 0.0
-    if ball.height < 0.0:
-        ball.phase = OFF
-        return inf
-    ball.phase, ball.fall = AIRBORNE, cloth.gravity
-    lasts = first_fall(ball.height, ball.climb, -cloth.gravity)
-    for k in range(len(walls)):
-        across, above = nose(gap(ball, walls[k]), ball.radius, ball.height, rule)
-        speed = (walls[k].inward * ball.velocity).real
-        wait = contact_time(
-            complex(across, -above), complex(speed, ball.climb), complex(0.0, -ball.fall),
-            ball.radius, lasts,
-        )  # fmt: skip
-        if wait < lasts:
-            lasts, ball.goal = wait, k
-        if speed < 0.0:
-            wait = max(0.0, -across / speed)
-            if wait < lasts:
-                lasts, ball.goal = wait, LEAVES - k
-    return lasts
-
-
-@kernel
-def gap(ball, wall):
-    """How far the ball is from touching the wall on the table."""
-    return (wall.inward * ball.position).real - wall.offset - ball.radius
-
-
-@kernel
-def nose(gap, radius, height, rule):
-    """How far the centre is from the nose of the cushion, across, and the nose above the centre.
-
-    On the table a ball touches it at `rule.height` radii above the centre.
-    """
-    return gap + radius * rule.level, radius * rule.height - height
+from .obstacle import facing, nose
+from .subset import complex, kernel, sqrt
 
 
 @kernel
@@ -73,18 +23,11 @@ def land(ball, cloth, parting):
 
 
 @kernel
-def leave_table(ball):
-    """It is over the cushion, and off the table."""
-    ball.velocity, ball.roll, ball.side = 0j, 0j, 0.0
-    ball.height, ball.climb, ball.fall = BELOW, 0.0, 0.0
-
-
-@kernel
 def hit_nose(ball, wall, rule):
     """The push goes through the centre, wherever the nose meets the ball; friction as it can."""
-    across, above = nose(gap(ball, wall), ball.radius, ball.height, rule)
+    across, above = nose(wall, ball.position, ball.radius, ball.height, rule)
     size = sqrt(across * across + above * above)
-    line, rise = -across / size * wall.normal, above / size
+    line, rise = -across / size * facing(wall, ball.position), above / size
     closing = (line.conjugate() * ball.velocity).real + rise * ball.climb
     meet_fixed(ball, line, rise, rebound(closing, rule) - closing, rule.friction)
 
@@ -92,10 +35,7 @@ def hit_nose(ball, wall, rule):
 @kernel
 def meet_fixed(ball, line, rise, parting, grip):
     """A contact with what does not move: they part at that speed."""
-    v, climb = ball.velocity, ball.climb
-    closing = (line.conjugate() * v).real + rise * climb
-    along, up = skin(ball.roll, ball.side, line, rise)
-    along, up = v - closing * line + along, climb - closing * rise + up
+    closing, along, up = approach(ball.velocity, ball.climb, ball.roll, ball.side, line, rise)
     slip = sqrt(along.real * along.real + along.imag * along.imag + up * up)
     push = closing + parting
     ball.velocity -= push * line
@@ -114,9 +54,7 @@ def hit_aloft(a, b, rule):
     far = sqrt(line.real * line.real + line.imag * line.imag + rise * rise)
     line, rise = 1.0 / far * line, rise / far
     v, climb = a.velocity - b.velocity, a.climb - b.climb
-    closing = (line.conjugate() * v).real + rise * climb
-    along, up = skin(a.roll + b.roll, a.side + b.side, line, rise)
-    along, up = v - closing * line + along, climb - closing * rise + up
+    closing, along, up = approach(v, climb, a.roll + b.roll, a.side + b.side, line, rise)
     slip = sqrt(along.real * along.real + along.imag * along.imag + up * up)
     push, rub = pair(complex(closing, slip), reduced(a, b), rule)
     if slip > 0.0:
@@ -144,9 +82,15 @@ def shove(ball, push, line, rise, along, up):
 
 
 @kernel
-def skin(roll, side, line, rise):
-    """Rω × n: how fast the ball's surface moves where it looks in the direction n."""
-    return rise * roll + 1j * side * line, -(line.conjugate() * roll).real
+def approach(v, climb, roll, side, line, rise):
+    """(closing speed, slip along the table, slip upward) of a contact in that direction.
+
+    The surface there moves with Rω × n besides.
+    """
+    turn = line.conjugate()
+    closing = (turn * v).real + rise * climb
+    along, up = rise * roll + 1j * side * line, -(turn * roll).real
+    return closing, v - closing * line + along, climb - closing * rise + up
 
 
 @kernel

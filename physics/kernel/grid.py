@@ -6,8 +6,9 @@ The outer cells have no outer edge. Who has a new leg tells nobody: an event tha
 an older leg is void, which shows when it is due.
 """
 
-from .contact import first_fall, meeting
-from .motion import RESTING, place
+from .contact import meeting
+from .kinds import RESTING
+from .leg import first_fall, place
 from .subset import inf, kernel
 
 NOBODY = -1

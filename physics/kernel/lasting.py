@@ -23,7 +23,9 @@ from .laws import (
     reduced,
     rigid_cushion,
 )
-from .motion import carry, length, motion, place
+from .leg import carry, place
+from .motion import length, motion
+from .obstacle import clearance, facing
 from .subset import complex, inf, kernel, room, sqrt
 from .tilt import tilt, touching_distance
 
@@ -56,9 +58,9 @@ def leans(a, b, cloth):
 
 
 @kernel
-def rests_on(ball, wall, cloth):
+def rests_on(ball, normal, cloth):
     """Does a ball that has just met a wall close so slowly that the cloth could keep it there?"""
-    closing = -(wall.inward * ball.velocity).real
+    closing = -(normal.conjugate() * ball.velocity).real
     return closing <= 2.0 * ball.lent or closing * closing <= SLOW * cloth.slide * ball.radius
 
 
@@ -114,7 +116,7 @@ def gather_slow(i, j, time, held, balls, ties, walls, grid, slide):
         for k in range(len(walls)):
             if (m == 0 and j == WALL - k) or contacts == CONTACTS * len(balls):
                 continue
-            if gap_to(here, balls[a], walls[k]) > near * balls[a].radius:
+            if clearance(walls[k], here, balls[a].radius) > near * balls[a].radius:
                 continue
             room(ties, contacts + 1)
             join(a, WALL - k, ties.contacts[contacts])
@@ -148,11 +150,6 @@ def moving(ball, time):
 
 
 @kernel
-def gap_to(p, ball, wall):
-    return (wall.inward * p).real - wall.offset - ball.radius
-
-
-@kernel
 def stretch(ball):
     """How many times longer than at first the ball hops by now."""
     return min(max(1.0, 1.0 + GROWTH * (ball.hops - PATIENT)), LONGEST)
@@ -174,8 +171,8 @@ def measure(tie, time, balls, walls):
     p = place(a, time - a.since)
     if tie.second <= WALL:
         wall = walls[WALL - tie.second]
-        tie.line = -wall.normal
-        return gap_to(p, a, wall), a.radius
+        tie.line = -facing(wall, p)
+        return clearance(wall, p, a.radius), a.radius
     b = balls[tie.second]
     q = place(b, time - b.since) - p
     far = length(q)
@@ -293,7 +290,7 @@ def lean(i, j, time, held, scene):
     for m in range(members):
         carry(balls[ties.member[m]], time, cloth)
     lent, chosen = aim_all(contacts, time, most, lasting, held, scene)
-    if not press_apart(chosen, balls, ties, walls, scene.ball_rule, scene.cushion_rule):
+    if not press_apart(chosen, balls, ties, scene.ball_rule, scene.cushion_rule):
         return members, -1
     for m in range(members):
         ball = balls[ties.member[m]]
@@ -305,7 +302,7 @@ def lean(i, j, time, held, scene):
 
 
 @kernel
-def press_apart(chosen, balls, ties, walls, ball_rule, cushion_rule):
+def press_apart(chosen, balls, ties, ball_rule, cushion_rule):
     """Impulses that make the chosen contacts part as they should: pushes, what friction makes of
     them, and pushes once more against what that has closed."""
     for stage in range(3):
@@ -325,7 +322,7 @@ def press_apart(chosen, balls, ties, walls, ball_rule, cushion_rule):
             if kind == PUSH:
                 tie.total += tie.size * tie.impulse.real
             elif tie.second <= WALL and tie.total > 0.0:
-                brush(balls[tie.first], tie.total, walls[WALL - tie.second], cushion_rule)
+                brush(balls[tie.first], tie.total, -tie.line, cushion_rule)
     return True
 
 
@@ -360,10 +357,11 @@ def hold(tie, balls, rule):
 
 
 @kernel
-def brush(ball, push, wall, rule):
+def brush(ball, push, normal, rule):
     """The friction of a cushion that has pushed the ball: the rigid law's, whatever the law."""
-    v, roll = wall.inward * ball.velocity, wall.inward * ball.roll
+    inward = normal.conjugate()
+    v, roll = inward * ball.velocity, inward * ball.roll
     push /= ball.mass * rule.level
     v, roll, ball.side = rigid_cushion(v, roll, ball.side, push, rule)
     v -= rule.level * push  # which the ball has felt
-    ball.velocity, ball.roll = wall.normal * v, wall.normal * roll
+    ball.velocity, ball.roll = normal * v, normal * roll

@@ -102,9 +102,9 @@ def ball_law(v, roll, side, mass, level, rule):
 
 
 @kernel
-def hit_wall(ball, wall, rule):
+def hit_wall(ball, normal, rule):
     """Turn the picture so that the wall's normal is the x axis, and back."""
-    inward, normal = wall.inward, wall.normal
+    inward = normal.conjugate()
     v, roll, ball.side = cushion(inward * ball.velocity, inward * ball.roll, ball.side, rule)
     if v.real < rule.parting:  # whatever the law, it does not go on into the wall
         v = complex(rule.parting, v.imag)

@@ -12,7 +12,8 @@ from math import fsum, sqrt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from physics.kernel.motion import AIRBORNE, ROLLING, SLIDING, faded, length
+from physics.kernel.kinds import AIRBORNE, ROLLING, SLIDING
+from physics.kernel.motion import faded, length
 from physics.log import Event, Leg, Log, State
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from physics.log import Event
-from physics.wall import Wall
+from physics.wall import Obstacle
 from physics.world import World
 
 from .trace import trace
@@ -74,19 +74,19 @@ def save(figure: "Figure", file: str | Path) -> None:
 # -- the table -------------------------------------------------------------------------------------
 
 
-def outline(walls: tuple[Wall, ...], out: float = 0.0) -> list[complex]:
+def outline(walls: tuple[Obstacle, ...], out: float = 0.0) -> list[complex]:
     """The corners of what lies inside all walls, each moved out by so many metres."""
     corners = [complex(x, y) * PLANE for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     for wall in walls:
-        corners = cut(corners, Wall(wall.normal, wall.offset - out))
+        corners = cut(corners, wall, out)
     return corners
 
 
-def cut(corners: list[complex], wall: Wall) -> list[complex]:
-    """The part of a convex polygon that is inside the wall."""
+def cut(corners: list[complex], wall: Obstacle, out: float) -> list[complex]:
+    """The part of a convex polygon that is inside the wall, moved out by so many metres."""
     left: list[complex] = []
     for p, q in pairwise([*corners, corners[0]] if corners else []):
-        a, b = wall.distance((p.real, p.imag)), wall.distance((q.real, q.imag))
+        a, b = (wall.distance((corner.real, corner.imag)) + out for corner in (p, q))
         if a >= 0.0:
             left.append(p)
         if a * b < 0.0:

@@ -16,10 +16,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from physics.ball import Ball
 from physics.checks import nonnegative, vector
 from physics.engines.exact import EventDriven
-from physics.kernel.calendar import CUSHION, PAIR, PHASE
 from physics.kernel.impulses import WALL
+from physics.kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, RESTING
 from physics.kernel.lasting import FEW
-from physics.kernel.motion import AIRBORNE, RESTING
 from physics.log import Event
 from physics.shot import Shot, direction
 from physics.simulation import simulate
@@ -171,7 +170,7 @@ class _Replay:
             # it rolls, but would slip after another shot, for a moment that leaves 5/7 v + 2/7 w
             rolling = (5.0 * slope(body.velocity) + 2.0 * slope(body.roll)) / 7.0
             body.velocity = body.roll = Dual(value(body.velocity), rolling)
-        self.kernel.calendar.plan_leg(body, (), cloth, self.scene.cushion_rule)
+        body.leg_end = body.since + self.kernel.leg.begin(body, cloth)
 
     def events(self) -> Iterator[EventSlope]:
         """Go through them in their order; a cluster, which is many of them, once."""
@@ -198,12 +197,12 @@ class _Replay:
     def _moment(self, time: float, kind: int, i: int, other: int) -> Dual:
         """When it happens: a contact when the gap, which depends on the shot, has closed."""
         ball = self.balls[i]
-        if kind == PHASE:
+        if not KINDS[kind].closes:
             end: Dual = ball.leg_end
             return end
         p, v = self._at(ball, time)
         if kind == CUSHION:
-            toward = self.scene.walls[other].inward
+            toward = self._facing(other, value(p)).conjugate()
         else:
             q, w = self._at(self.balls[other], time)
             p, v = p - q, v - w
@@ -214,19 +213,20 @@ class _Replay:
     def _at(self, ball: Any, time: float) -> tuple[Any, Any]:
         """Position and velocity on its leg, at a time that does not depend on the shot."""
         t = time - ball.since
-        return self.kernel.motion.place(ball, t), ball.velocity + t * ball.acceleration
+        return self.kernel.leg.place(ball, t), ball.velocity + t * ball.acceleration
 
     def _carry(self, involved: list[int], moment: Dual) -> dict[int, Array]:
         for m in involved:
-            self.kernel.motion.carry(self.balls[m], moment, self.scene.cloth)
+            self.kernel.leg.carry(self.balls[m], moment, self.scene.cloth)
         return {m: _rows(self.balls[m]) for m in involved}
 
     def _collide(self, kind: int, i: int, other: int, pairs: list[list[int]]) -> None:
         scene, laws, balls = self.scene, self.kernel.laws, self.balls
-        if kind == PHASE:
-            self.kernel.motion.settle(balls[i])
+        if not KINDS[kind].contact:
+            self.kernel.leg.settle(balls[i])
         elif kind == CUSHION:
-            laws.hit_wall(balls[i], scene.walls[other], scene.cushion_rule)
+            normal = self._facing(other, balls[i].position)
+            laws.hit_wall(balls[i], normal, scene.cushion_rule)
         elif len(pairs) == 1:
             laws.hit_ball(balls[i], balls[other], scene.ball_rule)
         else:
@@ -252,13 +252,13 @@ class _Replay:
                 ties.chosen[chosen] = c
                 chosen += 1
         rules = self.scene.ball_rule, self.scene.cushion_rule
-        lasting.press_apart(chosen, balls, ties, walls, *rules)
+        lasting.press_apart(chosen, balls, ties, *rules)
 
     def _count_hops(self, ball: Any, kind: int, lasting: bool) -> None:
         """As the kernel does: contacts that have lasted for long hop higher."""
         if lasting:
             ball.hops = max(ball.hops, FEW) + 1
-        elif kind != PHASE:
+        elif KINDS[kind].contact:
             ball.hops = 0
 
     def _target(self, tie: Any, moment: Dual, most: Any, lasts: Any, target: float) -> Any:
@@ -270,6 +270,10 @@ class _Replay:
             if value(tie.target) == target:
                 return tie.target
         return target
+
+    def _facing(self, k: int, p: Any) -> Any:
+        """The direction in which wall k pushes a ball at p."""
+        return self.kernel.obstacle.facing(self.scene.walls[k], p)
 
     def rest(self) -> Array:
         """(balls, 2, 5): of the positions, once there are no more events."""

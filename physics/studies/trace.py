@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from physics.ball import Ball
 from physics.checks import positive
+from physics.kernel.leg import travelled
 from physics.world import World
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ def trace(
     paths = np.empty((len(times), len(world.balls), 2))
     for i, ball in enumerate(world.balls):
         t, (p, v, a) = _legs(world, ball, times, ("position", "velocity", "acceleration"), np)
-        place = p + t * (v + 0.5 * t * a)
+        place = travelled(p, v, a, t)
         paths[:, i, 0], paths[:, i, 1] = place.real, place.imag
     return times, paths
 
@@ -39,7 +40,7 @@ def heights(world: World, rate: float = 60.0) -> "npt.NDArray[np.float64]":
     high = np.empty((len(times), len(world.balls)))
     for i, ball in enumerate(world.balls):
         t, (h, climb, fall) = _legs(world, ball, times, ("height", "climb", "fall"), np)
-        high[:, i] = h + t * (climb - 0.5 * t * fall)
+        high[:, i] = travelled(h, climb, -fall, t)
     return np.maximum(high, 0.0)
 
 

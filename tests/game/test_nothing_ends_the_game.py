@@ -12,8 +12,11 @@ from game.session.action import Action
 from game.session.session import Game, Notice
 from game.session.terms import FOUR_BALL, Fixture, Seat
 from game.session.ticks import TICKS
+from game.session.timeline import HEEDED
 from game.table import lineup, presets
 from game.table.presets import scene_world, table_world
+from game.text import words
+from game.ui.panels.shot_panels import log_rows
 from physics import EventDriven, Placed, Shot
 from physics.engines.stepping import SCHEMES
 from tests.support.anything import engines
@@ -187,6 +190,16 @@ def test_a_ball_off_the_table_does_not_move_and_cannot_be_struck(jumping):
     assert jumping.preview is None
     do(jumping, "retry", "shoot")
     assert jumping.moving
+
+
+def test_an_event_that_the_log_has_no_words_for_is_passed_over(jumping):
+    """A ball that left the table was told of as one that comes to rest."""
+    off_the_table(jumping)
+    kinds = [event.kind for event in jumping.world.log]
+    assert "off" in kinds
+    said = [row.first for row in log_rows(jumping, words("en"))]
+    assert said.count(words("en")["event.rest"]) == kinds.count("rest")
+    assert len(said) == 1 + sum(kind in HEEDED for kind in kinds)
 
 
 def test_fixed_steps_are_refused_while_a_ball_flies_or_is_off_the_table(jumping):

@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from physics import laws
-from physics.kernel.body import Body, Line
+from physics.kernel.body import Body
 from physics.kernel.flight import hit_aloft, hit_nose
 from physics.kernel.laws import hit_ball, hit_wall
+from physics.kernel.obstacle import Shape
 
 RADIUS, MASS = 0.03075, 0.21
 
@@ -46,7 +47,7 @@ def test_two_balls_at_one_height_hit_as_on_the_table(law):
 
 def test_a_cushion_meets_a_ball_just_off_the_cloth_as_on_it():
     dice, rule = random.Random(2), laws.RigidCushion(nose=1.2).rule()
-    wall = Line(1j, -0.5, -1j)
+    wall = Shape(1j, -0.5, -1j)
     for _ in range(50):
         state = dice.getstate()
         low, high = (random_body(dice, complex(0.3, -0.5 + RADIUS)) for _ in range(2))
@@ -54,7 +55,7 @@ def test_a_cushion_meets_a_ball_just_off_the_cloth_as_on_it():
         high = random_body(dice, complex(0.3, -0.5 + RADIUS))
         low.velocity = high.velocity = complex(high.velocity.real, -1 - abs(high.velocity.imag))
         before = wall.inward * high.velocity, wall.inward * high.roll
-        hit_wall(low, wall, rule)
+        hit_wall(low, wall.normal, rule)
         hit_nose(high, wall, rule)
         assert abs(low.velocity - high.velocity) < 1e-14
         assert abs(low.roll - high.roll) < 1e-14

@@ -234,6 +234,17 @@ def test_a_file_that_is_not_text_is_refused(tmp_path):
         store.load(path)
 
 
+@pytest.mark.parametrize(("kind", "message"), [("hole", "'hole'; it must be one of line"),
+                                               (3, "must be text")])  # fmt: skip
+def test_a_kind_of_wall_that_this_program_does_not_know_is_refused(kind, message):
+    data = json.loads(store.dumps(scenes.carom()))
+    data["walls"][1]["kind"] = kind
+    with pytest.raises(ValueError, match=rf"walls\[1\]\.kind.*{message}"):
+        store.loads(json.dumps(data))
+    data["walls"][1]["kind"] = "line"
+    assert store.loads(json.dumps(data)).walls == scenes.carom().walls
+
+
 def test_balls_that_overlap_in_a_file_are_refused_by_name():
     data = json.loads(store.dumps(scenes.carom()))
     data["balls"][0]["position"] = data["balls"][1]["position"]

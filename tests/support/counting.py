@@ -8,15 +8,15 @@ from typing import Any
 
 from physics import World
 from physics.engines import exact
-from physics.kernel import calendar, cluster, contact
+from physics.kernel import calendar, cluster, contact, obstacle
 
 WATCHED: dict[str, tuple[str, tuple[ModuleType, ...]]] = {
     # counter: (function, where its name is looked up)
     "events": ("happen", (exact,)),
-    "legs": ("plan_leg", (calendar, exact)),
+    "legs": ("start_leg", (calendar, exact)),
     "contact solves": ("contact_time", (contact, calendar)),
     "pairs met in boxes": ("meeting", (calendar,)),
-    "wall solves": ("first_fall", (calendar,)),
+    "wall solves": ("first_fall", (obstacle,)),
     "nearness tests": ("touching", (cluster,)),
 }
 

@@ -121,7 +121,7 @@ def _type(s: float) -> Type:
 def _hits(
     surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook], now: float
 ) -> Rects:
-    normals = {wall.name: wall.normal for wall in game.world.walls}
+    walls = {wall.name: wall for wall in game.world.walls}
     s, rects = layout.s, []
     for event in events(game):
         if event.time > now:
@@ -129,7 +129,8 @@ def _hits(
         if event.balls[0] not in game.traced:
             continue
         if event.kind == "cushion":
-            look, out = looks[preview_lines.index(game, event.balls[0])], -normals[event.wall]
+            look = looks[preview_lines.index(game, event.balls[0])]
+            out = -walls[event.wall].facing(event.after[0].position)
             centre = layout.to_screen(*event.after[0].position)
             radius = game.world.ball(event.balls[0]).radius * layout.scale
             aside = (out.real, -out.imag)
