@@ -28,7 +28,6 @@ class Carom:
     umb         as the UMB has it: the opening stroke goes to the red directly (3.3), and the
                 cushion that the cue ball lies against may not be played (4.1); balls that touch the
                 cue ball may be spotted (3.7)
-    equal_innings  who comes after the winner plays a last inning (후구, 3.9)
     """
 
     cushions: int = 3
@@ -37,7 +36,6 @@ class Carom:
     penalty: int = 0
     floor_zero: bool = True
     umb: bool = False
-    equal_innings: bool = False
     cues: tuple[str, ...] = ("white", "yellow")
     red: str = "red"
 

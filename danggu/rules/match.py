@@ -62,7 +62,9 @@ class Match:
     state   how the game stands besides the scores
     call    what the player at the table has declared for the coming stroke
     asked   the question that the player at the table is to answer, or None
-    closing whether the others play their last inning, for as many innings as the first had (후구)
+    equal   whether all have equally many innings (후구): who comes after a player that has reached
+            the target plays a last one, from the opening position, and may draw
+    there   indices of the players that have reached it, while the others play their last inning
     """
 
     rules: Rules
@@ -76,15 +78,16 @@ class Match:
     state: State = FRESH
     call: Call = NO_CALL
     asked: Question | None = None
-    closing: bool = False
+    equal: bool = False
+    there: tuple[int, ...] = ()
 
     @classmethod
-    def of(cls, rules: Rules, *players: Player) -> Match:
+    def of(cls, rules: Rules, *players: Player, equal_innings: bool = False) -> Match:
         """A new match; ValueError without players."""
         if not players:
             raise ValueError("a match needs a player")
         state = rules.start(len(players))
-        return cls(rules, players, (Sheet(),) * len(players), state=state)
+        return cls(rules, players, (Sheet(),) * len(players), state=state, equal=equal_innings)
 
     @property
     def player(self) -> Player:
@@ -107,7 +110,9 @@ class Match:
     @property
     def opening(self) -> bool:
         """Whether the coming stroke is played from the opening position."""
-        return not any(sheet.strokes for sheet in self.sheets) or (self.closing and not self.visit)
+        return not any(sheet.strokes for sheet in self.sheets) or bool(
+            self.there and not self.visit
+        )
 
     @property
     def finished(self) -> bool:
@@ -209,21 +214,21 @@ class Match:
         return tuple(sheets)
 
     def _ends(self, verdict: Verdict) -> bool:
+        return verdict.won or verdict.lost or verdict.drawn or (verdict.passes and self._last)
+
+    @property
+    def _last(self) -> bool:
+        """Whether this is the last of the innings that are played to make them equal."""
         # the player at 0 has played the first stroke of the match
-        last = self.closing and verdict.passes and self.next == 0
-        return verdict.won or verdict.lost or verdict.drawn or last
+        return bool(self.there) and self.next == 0
 
     def _ended(self, verdict: Verdict) -> Match:
-        if verdict.won and getattr(self.rules, "equal_innings", False) and self.next != 0:
-            return replace(self.passed(), closing=True)
-        if verdict.drawn:
-            return replace(self, over=True)
-        if self.closing:
-            return self._compared()
-        if verdict.won:
-            return replace(self, winner=self.at)
-        alone = len(self.players) == 1
-        return replace(self, over=True) if alone else replace(self, winner=self.next)
+        there = (*self.there, self.at) if verdict.won else self.there
+        if verdict.won and self.equal and self.next != 0:
+            return replace(self.passed(), there=there)
+        if verdict.lost and len(self.players) > 1:
+            return replace(self, winner=self.next)
+        return replace(self, winner=there[0]) if len(there) == 1 else replace(self, over=True)
 
     def _goes_on(self, verdict: Verdict) -> Match:
         asked = verdict.question
@@ -231,10 +236,3 @@ class Match:
             played = self if asked.shooter else self.passed()
             return replace(played, asked=asked)
         return self.passed() if verdict.passes else self
-
-    def _compared(self) -> Match:
-        """Over after equal innings: those who have reached their targets have won, or drawn."""
-        there = [i for i in range(len(self.players)) if self.missing(i) == 0]
-        if len(there) == 1:
-            return replace(self, winner=there[0])
-        return replace(self, over=True)

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from . import pool
 from .game import CUE, NUMBERS, Pocketed, without
-from .state import ANYWHERE, AS_IT_LIES, HOUSE, PLAY, Option, Question, State
+from .state import ANYWHERE, AS_IT_LIES, FRESH, HOUSE, PLAY, Option, Question, State
 from .stroke import Stroke
 from .verdict import NO_BALL, OFF_TABLE, Turn, Verdict, facts
 
@@ -80,9 +80,7 @@ class Pyramid(Pocketed):
             down=done.down,
             state=state,
         )
-        if own and state.left:
-            verdict = replace(verdict, question=Question(_takes(state), shooter=True))
-        return self._counted(verdict, turn)
+        return self._counted(_taken(verdict, shooter=True) if own else verdict, turn)
 
     def _fouled(self, done: Stroke, turn: Turn, foul: str) -> Verdict:
         gone = tuple(ball for ball in dict.fromkeys((*done.down, *done.off)))
@@ -95,8 +93,8 @@ class Pyramid(Pocketed):
             state = replace(state, left=(*state.left, *back))
             return replace(verdict, points=-1, spot=(*spot, *back), state=state)
         verdict = replace(verdict, gift=1)
-        if self.penalty == TAKE and _takes(state):
-            verdict = replace(verdict, question=Question(_takes(state)))
+        if self.penalty == TAKE:
+            verdict = _taken(verdict, shooter=False)
         return self._counted(verdict, turn)
 
     def _counted(self, verdict: Verdict, turn: Turn) -> Verdict:
@@ -113,7 +111,11 @@ class Pyramid(Pocketed):
         return replace(verdict, reason=reason, won=won, lost=lost, drawn=drawn, question=None)
 
 
-def _takes(state: State) -> tuple[Option, ...]:
-    """Any ball on the table may be taken away."""
-    balls = (ball for ball in state.left if ball != CUE)
-    return tuple(Option(ball, True, without(state, (ball,))) for ball in balls)
+def _taken(verdict: Verdict, *, shooter: bool) -> Verdict:
+    """The verdict with the question which ball is taken away; the last one is, without asking."""
+    state = FRESH if verdict.state is None else verdict.state
+    balls = [ball for ball in state.left if ball != CUE]
+    if len(balls) <= 1:
+        return replace(verdict, state=without(state, balls))
+    options = tuple(Option(ball, True, without(state, (ball,))) for ball in balls)
+    return replace(verdict, question=Question(options, shooter))

@@ -83,7 +83,7 @@ class Act(NamedTuple):
 class Zone(NamedTuple):
     """How two object balls lie to the lines of balkline after a stroke.
 
-    ends  "in": both in one zone; "astride": in two zones side by side; "out": anything else
+    ends  "in": both in one zone; "astride": in two zones; "out": one of them in none
     left  whether one of them was outside of that zone at any time of the stroke
     """
 

@@ -186,8 +186,8 @@ CANNON = ["white>red", "white>yellow"]
 
 
 def straight(target: int) -> Match:
-    rules = Carom(0, equal_innings=True, red_first=False)
-    return Match.of(rules, Player("a", target), Player("b", target))
+    rules = Carom(0, red_first=False)
+    return Match.of(rules, Player("a", target), Player("b", target), equal_innings=True)
 
 
 def played(match: Match, *events: str) -> Match:
@@ -199,7 +199,7 @@ def played(match: Match, *events: str) -> Match:
 
 def test_who_comes_after_the_winner_plays_a_last_inning_from_the_opening_position():
     match = played(straight(1), *CANNON)
-    assert (match.closing, match.at, match.finished, match.opening) == (True, 1, False, True)
+    assert (match.there, match.at, match.finished, match.opening) == ((0,), 1, False, True)
     assert played(match, "white>red").winner == 0
 
 

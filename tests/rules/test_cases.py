@@ -1,5 +1,6 @@
 """Rule cases that were written from the federations' texts hold, and their reader can fail."""
 
+import doctest
 import json
 from copy import deepcopy
 from pathlib import Path
@@ -95,6 +96,11 @@ def test_brackets_belong_to_the_event_before_them_however_they_were_split():
         ("ball", float("inf")),
     ]
     assert read(["cue:jumps(yellow)"]).acts == [("cue", "jumps", "yellow")]
+
+
+def test_the_page_of_the_rules_shows_what_they_say():
+    page = Path(__file__).parents[2] / "docs" / "rules.md"
+    assert doctest.testfile(str(page), module_relative=False).failed == 0
 
 
 def test_two_balls_hit_at_one_instant_are_both_first():
