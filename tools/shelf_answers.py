@@ -13,6 +13,7 @@ from danggu.players.positions import SAGU, SHELF, THREE_CUSHION, Position, openi
 from danggu.rules.carom import Carom
 from danggu.rules.match import Match, Player
 from danggu.rules.sagu import Sagu
+from danggu.rules.state import State
 from danggu.rules.stroke import Event
 from danggu.rules.verdict import Rules, Turn, Verdict
 from physics import Ball, World, tables
@@ -29,6 +30,9 @@ class OneWay:
     key = "one_way"
     cues = ("white", "yellow")
     balls = ()
+
+    def start(self, players: int) -> State:
+        return self.rules.start(players)
 
     def targets(self, turn: Turn) -> tuple[str, ...]:
         return tuple(what for what in self.rules.targets(turn) if what in self.way)

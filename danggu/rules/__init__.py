@@ -1,20 +1,42 @@
 """The games: what a stroke is worth, and how a match stands.
 
-Everything for people is a key of the texts; the rules read nothing but the event log.
+Everything for people is a key of the texts; the rules read nothing but what happened, which
+`stroke` takes from the event log.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
+from .balkline import Balkline
 from .carom import Carom
+from .eight_ball import EightBall
 from .free import Free
+from .nine_ball import NineBall
+from .pyramid import COMBINED, DYNAMIC, Pyramid
 from .sagu import Sagu
+from .snooker import Snooker
+from .straight_pool import StraightPool
+from .ten_ball import TenBall
 from .verdict import Rules
 
 GAMES: dict[str, Callable[..., Rules]] = {
     "free": Free,
     "four-ball": Sagu,
     "three-cushion": Carom,
+    "one-cushion": partial(Carom, 1),
+    "straight-rail": Balkline,
+    "balkline-47/1": partial(Balkline, name="balkline_47_1", limit=1),
+    "balkline-47/2": partial(Balkline, name="balkline_47_2"),
+    "balkline-71/2": partial(Balkline, name="balkline_71_2"),
+    "8-ball": EightBall,
+    "9-ball": NineBall,
+    "10-ball": TenBall,
+    "14.1": StraightPool,
+    "snooker": Snooker,
+    "free-pyramid": Pyramid,
+    "dynamic-pyramid": partial(Pyramid, DYNAMIC),
+    "combined-pyramid": partial(Pyramid, COMBINED),
 }
 """Each game by its name, and what makes its rules: the usual ones, without arguments."""

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
+from .state import FRESH, Option, Question, State
 from .stroke import TIE, Event, Stroke, stroke
 from .verdict import FEW_CUSHIONS, NO_BALL, OFF_TABLE, ONE_BALL, SAME_INSTANT, Turn, Verdict, facts
 
 CANNON, BANK = "cannon", "bank_cannon"
-OPENING_NOT_RED = "opening_not_red"
+OPENING_NOT_RED, OPENING_BANK = "opening_not_red", "opening_bank"
+INTO_CUSHION = "into_cushion"
+PLAY_ON, RESPOT = "play_on", "respot"
 KEYS = {0: "straight", 1: "one_cushion", 3: "three_cushion"}
 
 
@@ -22,6 +25,9 @@ class Carom:
     red_first   the opening stroke must hit the red before the other ball
     penalty     points that a foul costs; federations take none
     floor_zero  the score never falls below zero
+    umb         as the UMB has it: the opening stroke goes to the red directly (3.3), and the
+                cushion that the cue ball lies against may not be played (4.1); balls that touch the
+                cue ball may be spotted (3.7)
     """
 
     cushions: int = 3
@@ -29,6 +35,7 @@ class Carom:
     red_first: bool = True
     penalty: int = 0
     floor_zero: bool = True
+    umb: bool = False
     cues: tuple[str, ...] = ("white", "yellow")
     red: str = "red"
 
@@ -46,6 +53,9 @@ class Carom:
     def balls(self) -> tuple[str, ...]:
         return (*self.cues, self.red)
 
+    def start(self, players: int) -> State:
+        return FRESH
+
     def targets(self, turn: Turn) -> tuple[str, ...]:
         if turn.opening and self.red_first:
             return (self.red,)
@@ -55,16 +65,40 @@ class Carom:
         return self.cushions
 
     def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
-        done = stroke(log, turn.cue)
+        return self.judge(stroke(log, turn.cue), turn)
+
+    def judge(self, done: Stroke, turn: Turn) -> Verdict:
+        return self.asked(done, turn, self.cannon(done, turn))
+
+    def asked(self, done: Stroke, turn: Turn, verdict: Verdict) -> Verdict:
+        """The verdict with the question whether balls that touch the next cue ball are spotted:
+        those alone in three-cushion, else all three (UMB 3.7)."""
+        after = (turn.player + verdict.passes) % turn.players
+        cue = self.cues[after % len(self.cues)]
+        touch = {ball for pair in done.rest.touching if cue in pair for ball in pair}
+        if not self.umb or not touch or verdict.won:
+            return verdict
+        state = turn.state if verdict.state is None else verdict.state
+        spot = tuple(b for b in self.balls if b in touch or self.cushions != 3)
+        spotted = replace(state, zone="", anchor="")
+        options = (Option(PLAY_ON, True, state), Option(RESPOT, True, spotted, spot=spot))
+        return replace(verdict, question=Question(options, not verdict.passes, optional=True))
+
+    def cannon(self, done: Stroke, turn: Turn) -> Verdict:
+        """What the stroke was worth, without what may be asked after it."""
         hits = done.hits()
-        if done.off:
-            return self._foul(OFF_TABLE, turn, done, None)
+        if done.off or done.acts:
+            return self._foul(done.acts[0].what if done.acts else OFF_TABLE, turn, done, None)
+        if self.umb and done.pressed:
+            return self._foul(INTO_CUSHION, turn, done, None)
         first = min(hits.values(), default=None)
         if first is None:
             return Verdict(NO_BALL, facts=facts(done))
         opened = not (turn.opening and self.red_first)
         if not opened and hits.get(self.red, inf) > first + TIE:
             return self._foul(OPENING_NOT_RED, turn, done, first)
+        if not opened and self.umb and done.cushions(first):
+            return Verdict(OPENING_BANK, facts=facts(done, first))
         if len(hits) == 1:
             return Verdict(ONE_BALL, facts=facts(done))
         return self._both(done, max(hits.values()), turn)
@@ -75,7 +109,8 @@ class Carom:
 
     def _foul(self, reason: str, turn: Turn, done: Stroke, decided: float | None) -> Verdict:
         loss = turn.loss(self.penalty, floor_zero=self.floor_zero)
-        return Verdict(reason, loss, foul=True, facts=facts(done, decided))
+        spot = done.off if self.cushions == 3 or not done.off else self.balls
+        return Verdict(reason, loss, foul=True, facts=facts(done, decided), spot=spot)
 
     def _both(self, done: Stroke, second: float, turn: Turn) -> Verdict:
         seen = facts(done, second)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .stroke import Event, stroke
+from .state import FRESH, State
+from .stroke import Event, Stroke, stroke
 from .verdict import Turn, Verdict, facts
 
 FREE = "free"
@@ -22,6 +23,9 @@ class Free:
     def key(self) -> str:
         return FREE
 
+    def start(self, players: int) -> State:
+        return FRESH
+
     def targets(self, turn: Turn) -> tuple[str, ...]:
         return tuple(ball for ball in self.balls if ball != turn.cue)
 
@@ -32,4 +36,7 @@ class Free:
         return False
 
     def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
-        return Verdict(FREE, passes=False, facts=facts(stroke(log, turn.cue)))
+        return self.judge(stroke(log, turn.cue), turn)
+
+    def judge(self, done: Stroke, turn: Turn) -> Verdict:
+        return Verdict(FREE, passes=False, facts=facts(done))

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from .stroke import Event
+from .state import FRESH, NO_CALL, Call, Question, State
+from .stroke import Event, Stroke
 from .verdict import Rules, Turn, Verdict
 
 
@@ -57,6 +58,13 @@ class Match:
     visit   strokes made in the present inning
     run     points made in the present inning
     winner  index of the player who has won, or None
+    over    nobody has won, and yet it is over: a draw, or a player alone has lost
+    state   how the game stands besides the scores
+    call    what the player at the table has declared for the coming stroke
+    asked   the question that the player at the table is to answer, or None
+    equal   whether all have equally many innings (후구): who comes after a player that has reached
+            the target plays a last one, from the opening position, and may draw
+    there   indices of the players that have reached it, while the others play their last inning
     """
 
     rules: Rules
@@ -66,13 +74,20 @@ class Match:
     visit: int = 0
     run: int = 0
     winner: int | None = None
+    over: bool = False
+    state: State = FRESH
+    call: Call = NO_CALL
+    asked: Question | None = None
+    equal: bool = False
+    there: tuple[int, ...] = ()
 
     @classmethod
-    def of(cls, rules: Rules, *players: Player) -> Match:
+    def of(cls, rules: Rules, *players: Player, equal_innings: bool = False) -> Match:
         """A new match; ValueError without players."""
         if not players:
             raise ValueError("a match needs a player")
-        return cls(rules, players, (Sheet(),) * len(players))
+        state = rules.start(len(players))
+        return cls(rules, players, (Sheet(),) * len(players), state=state, equal=equal_innings)
 
     @property
     def player(self) -> Player:
@@ -85,7 +100,7 @@ class Match:
     @property
     def cue(self) -> str:
         """The cue ball of the player at the table."""
-        return self.cue_of(self.at)
+        return self.call.cue or self.cue_of(self.at)
 
     @property
     def inning(self) -> int:
@@ -94,17 +109,34 @@ class Match:
 
     @property
     def opening(self) -> bool:
-        """Whether nobody has played a stroke yet."""
-        return not any(sheet.strokes for sheet in self.sheets)
+        """Whether the coming stroke is played from the opening position."""
+        return not any(sheet.strokes for sheet in self.sheets) or bool(
+            self.there and not self.visit
+        )
 
     @property
     def finished(self) -> bool:
-        return self.winner is not None
+        return self.over or self.winner is not None
+
+    @property
+    def next(self) -> int:
+        """The index of the player whose turn comes after this one."""
+        return (self.at + 1) % len(self.players)
 
     @property
     def turn(self) -> Turn:
         """What the rules need to know about the coming stroke."""
-        return Turn(self.cue, self.opening, self.sheet.score, self.player.target)
+        return Turn(
+            self.cue,
+            self.opening,
+            self.sheet.score,
+            self.player.target,
+            self.state,
+            self.call,
+            self.at,
+            len(self.players),
+            self.sheets[self.next].score if len(self.players) > 1 else 0,
+        )
 
     def cue_of(self, index: int) -> str:
         """The cue ball of a player; more players than cue balls share them in turn."""
@@ -115,22 +147,92 @@ class Match:
         target = self.players[index].target
         return None if target is None else max(target - self.sheets[index].score, 0)
 
+    # -- before the stroke ---------------------------------------------------------------------
+
+    def called(self, call: Call) -> Match:
+        """The match with that declared; ValueError if a ball is named that is not on the table."""
+        lies = (*self.rules.cues, *(self.state.left or self.rules.balls))
+        for name in (call.ball, call.cue):
+            if name and name not in lies:
+                raise ValueError(f"{name!r:.60} is not on the table")
+        return replace(self, call=call)
+
+    def answered(self, key: str) -> Match:
+        """The match after the answer to its question; ValueError without one, or for no answer."""
+        if self.asked is None:
+            raise ValueError("nothing is asked")
+        option, question = self.asked.option(key), self.asked
+        stays = replace(self, state=option.state, asked=None)
+        if option.plays:
+            return stays
+        return stays.given(self.next if question.shooter else (self.at - 1) % len(self.players))
+
+    # -- the stroke ----------------------------------------------------------------------------
+
     def judged(self, log: Iterable[Event]) -> Verdict:
         """The verdict on the log of the coming stroke."""
         return self.rules.verdict(log, self.turn)
 
+    def ruled(self, done: Stroke) -> Verdict:
+        """The verdict on the coming stroke, read already: with what a referee saw, and the rest."""
+        return self.rules.judge(done, self.turn)
+
     def after(self, verdict: Verdict) -> Match:
-        """The match with this stroke played; ValueError if it was over."""
+        """The match with this stroke played; ValueError if it was over, or an answer is due."""
         if self.finished:
             raise ValueError("the match is over")
+        if self.asked is not None and not self.asked.optional:
+            raise ValueError("a question is to be answered first")
         run = self.run + max(verdict.points, 0)
-        sheet = self.sheet.after(verdict, run, first=self.visit == 0)
-        sheets = (*self.sheets[: self.at], sheet, *self.sheets[self.at + 1 :])
-        played = replace(self, sheets=sheets, visit=self.visit + 1, run=run)
-        if verdict.won:
-            return replace(played, winner=self.at)
-        return played.passed() if verdict.passes else played
+        played = replace(
+            self,
+            sheets=self._scored(verdict, run),
+            visit=self.visit + 1,
+            run=run,
+            state=self.state if verdict.state is None else verdict.state,
+            call=NO_CALL,
+            asked=None,
+        )
+        return played._ended(verdict) if self._ends(verdict) else played._goes_on(verdict)
 
     def passed(self) -> Match:
         """The next player's turn; an inning without a stroke does not count."""
-        return replace(self, at=(self.at + 1) % len(self.players), visit=0, run=0)
+        return self.given(self.next)
+
+    def given(self, player: int) -> Match:
+        """That player's turn."""
+        return replace(self, at=player, visit=0, run=0, call=NO_CALL)
+
+    # -- parts ---------------------------------------------------------------------------------
+
+    def _scored(self, verdict: Verdict, run: int) -> tuple[Sheet, ...]:
+        sheets = list(self.sheets)
+        sheets[self.at] = self.sheet.after(verdict, run, first=self.visit == 0)
+        if verdict.gift and len(sheets) > 1:
+            other = sheets[self.next]
+            sheets[self.next] = replace(other, score=other.score + verdict.gift)
+        return tuple(sheets)
+
+    def _ends(self, verdict: Verdict) -> bool:
+        return verdict.won or verdict.lost or verdict.drawn or (verdict.passes and self._last)
+
+    @property
+    def _last(self) -> bool:
+        """Whether this is the last of the innings that are played to make them equal."""
+        # the player at 0 has played the first stroke of the match
+        return bool(self.there) and self.next == 0
+
+    def _ended(self, verdict: Verdict) -> Match:
+        there = (*self.there, self.at) if verdict.won else self.there
+        if verdict.won and self.equal and self.next != 0:
+            return replace(self.passed(), there=there)
+        if verdict.lost and len(self.players) > 1:
+            return replace(self, winner=self.next)
+        return replace(self, winner=there[0]) if len(there) == 1 else replace(self, over=True)
+
+    def _goes_on(self, verdict: Verdict) -> Match:
+        asked = verdict.question
+        if asked is not None:
+            played = self if asked.shooter else self.passed()
+            return replace(played, asked=asked)
+        return self.passed() if verdict.passes else self

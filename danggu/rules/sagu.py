@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from .state import FRESH, State
 from .stroke import Event, Stroke, stroke
 from .verdict import FEW_CUSHIONS, OFF_TABLE, SAME_INSTANT, Facts, Turn, Verdict, facts
 
@@ -48,6 +49,9 @@ class Sagu:
     def balls(self) -> tuple[str, ...]:
         return self.cues + self.reds
 
+    def start(self, players: int) -> State:
+        return FRESH
+
     def targets(self, turn: Turn) -> tuple[str, ...]:
         return self.reds
 
@@ -58,12 +62,14 @@ class Sagu:
         return 3 if closing else 0
 
     def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
-        done = stroke(log, turn.cue)
+        return self.judge(stroke(log, turn.cue), turn)
+
+    def judge(self, done: Stroke, turn: Turn) -> Verdict:
         hits = done.hits()
         opponent = min((hits[cue] for cue in self.cues if cue in hits), default=None)
         reds = sorted(hits[red] for red in self.reds if red in hits)
-        if done.off:
-            return self._foul(OFF_TABLE, turn, facts(done))
+        if done.off or done.acts:
+            return self._foul(done.acts[0].what if done.acts else OFF_TABLE, turn, facts(done))
         if opponent is not None:
             return self._foul(OPPONENT_BALL, turn, facts(done, opponent))
         if not reds:
@@ -78,7 +84,11 @@ class Sagu:
 
     def _foul(self, reason: str, turn: Turn, seen: Facts) -> Verdict:
         return Verdict(
-            reason, turn.loss(self.penalty, floor_zero=self.floor_zero), foul=True, facts=seen
+            reason,
+            turn.loss(self.penalty, floor_zero=self.floor_zero),
+            foul=True,
+            facts=seen,
+            spot=seen.off,
         )
 
     def _both(self, done: Stroke, second: float, turn: Turn) -> Verdict:

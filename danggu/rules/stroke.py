@@ -1,11 +1,11 @@
-"""What the cue ball did on one stroke, read from the event log."""
+"""What happened on one stroke, read from the event log into one plain value."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 # s.  Two contacts this close are one instant.  Rounding puts a located contact up to 1e-10 m off
 # after six ball hits, so 1e-10 s at 1 m/s; a referee's eye is seven orders coarser.
@@ -16,13 +16,14 @@ TIE = 1e-9
 # was chosen: docs/physics.md, "What counts as a contact".
 LEFT = 1e-3
 
-BALL, CUSHION, OFF = "ball", "cushion", "off"
+BALL, CUSHION, OFF, POCKET = "ball", "cushion", "off", "pocket"
 
 
 class Event(Protocol):
     """The part of a log entry that rules may read.
 
-    `kind` is "ball", "cushion" or "off" (a ball has left the table); any other kind is ignored.
+    `kind` is "ball", "cushion", "off" (a ball has left the table) or "pocket" (it has dropped, and
+    `wall` names the pocket); any other kind is ignored.
     """
 
     @property
@@ -55,12 +56,85 @@ class Touch:
     cushion: bool
 
 
+class Rail(NamedTuple):
+    """The ball named `ball` met the wall named `wall` at `time` s, coming from afar."""
+
+    time: float
+    ball: str
+    wall: str
+
+
+class Drop(NamedTuple):
+    """The ball named `ball` dropped into the pocket named `pocket` at `time` s."""
+
+    time: float
+    ball: str
+    pocket: str
+
+
+class Act(NamedTuple):
+    """What a referee sees and no log holds: `ball` was "touched", the cue ball "jumps" `about`."""
+
+    ball: str
+    what: str
+    about: str = ""
+
+
+class Zone(NamedTuple):
+    """How two object balls lie to the lines of balkline after a stroke.
+
+    ends  "in": both in one zone; "astride": in two zones; "out": one of them in none
+    left  whether one of them was outside of that zone at any time of the stroke
+    """
+
+    ends: str = "out"
+    left: bool = True
+
+
+APART = Zone()
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """How the balls lie after the stroke, where rules ask: a matter of geometry.
+
+    touching   pairs of balls that touch
+    snookered  the cue ball cannot be played straight at every ball on
+    hidden     the ball that the cue ball is snookered by, or ""
+    zone       of the object balls among the lines of balkline, and `anchor` among its anchors
+    """
+
+    touching: tuple[tuple[str, str], ...] = ()
+    snookered: bool = False
+    hidden: str = ""
+    zone: Zone = APART
+    anchor: Zone = APART
+
+
+UNSEEN = Rest()
+
+
 @dataclass(frozen=True, slots=True)
 class Stroke:
-    """Touches of the cue ball in order of time, and the balls that left the table."""
+    """What happened, in order of time.
+
+    touches   of the cue ball
+    off       balls that left the table
+    rails     contacts with cushions of all balls, those that count
+    pocketed  balls that dropped
+    pressed   the wall that the cue ball lay against and was driven into before anything else, or ""
+    acts      what a referee saw
+    rest      how the balls lie afterwards
+    """
 
     touches: tuple[Touch, ...]
     off: tuple[str, ...] = ()
+    cue: str = ""
+    rails: tuple[Rail, ...] = ()
+    pocketed: tuple[Drop, ...] = ()
+    pressed: str = ""
+    acts: tuple[Act, ...] = ()
+    rest: Rest = UNSEEN
 
     def hits(self) -> dict[str, float]:
         """The balls that were hit, in order, each with the time of its first contact in s."""
@@ -69,6 +143,33 @@ class Stroke:
             if not touch.cushion:
                 first.setdefault(touch.what, touch.time)
         return first
+
+    @property
+    def first(self) -> tuple[str, ...]:
+        """The ball that the cue ball hit first: several if at one instant, none if it hit none."""
+        hits = self.hits()
+        start = min(hits.values(), default=inf)
+        return tuple(ball for ball, time in hits.items() if time <= start + TIE)
+
+    @property
+    def met(self) -> float:
+        """When the cue ball hit the first ball, s; inf if it hit none."""
+        return min(self.hits().values(), default=inf)
+
+    @property
+    def down(self) -> tuple[str, ...]:
+        """The balls that dropped, in order."""
+        return tuple(drop.ball for drop in self.pocketed)
+
+    @property
+    def lost(self) -> bool:
+        """Whether the cue ball dropped or left the table."""
+        return self.cue in self.down or self.cue in self.off
+
+    @property
+    def gone(self) -> frozenset[str]:
+        """All balls that are no longer on the table."""
+        return frozenset(self.down) | frozenset(self.off)
 
     def cushions(self, before: float = inf) -> int:
         """How many cushion contacts came before `before`, not at that instant."""
@@ -79,8 +180,8 @@ class Stroke:
         return any(touch.cushion and abs(touch.time - time) <= TIE for touch in self.touches)
 
     def until(self, time: float) -> Stroke:
-        """As much of it as had happened by then, s."""
-        return Stroke(tuple(touch for touch in self.touches if touch.time <= time), self.off)
+        """As much of the cue ball's touches as had happened by then, s."""
+        return replace(self, touches=tuple(t for t in self.touches if t.time <= time))
 
     def path(self, until: float = inf) -> tuple[str, ...]:
         """The names of all that was met up to and at the instant `until`."""
@@ -91,14 +192,23 @@ def stroke(log: Iterable[Event], cue: str) -> Stroke:
     """The log of one stroke, in order of time, seen from the ball named `cue`."""
     touches: list[Touch] = []
     off: list[str] = []
+    rails: list[Rail] = []
+    pocketed: list[Drop] = []
+    pressed = ""
     for event in log:
-        if event.kind == OFF:
-            off += event.balls
-        elif cue not in event.balls:
-            continue
-        elif event.kind == CUSHION and event.wall is not None and counts(event):
-            touches.append(Touch(event.time, event.wall, cushion=True))
-        elif event.kind == BALL:
+        if event.kind == CUSHION and event.wall is not None:
+            ball = event.balls[0]
+            if counts(event):
+                rails.append(Rail(event.time, ball, event.wall))
+                if ball == cue:
+                    touches.append(Touch(event.time, event.wall, cushion=True))
+            elif ball == cue and not touches:
+                pressed = pressed or event.wall
+        elif event.kind == BALL and cue in event.balls:
             a, b = event.balls
             touches.append(Touch(event.time, b if a == cue else a, cushion=False))
-    return Stroke(tuple(touches), tuple(off))
+        elif event.kind == OFF:
+            off += event.balls
+        elif event.kind == POCKET:
+            pocketed += [Drop(event.time, ball, event.wall or "") for ball in event.balls]
+    return Stroke(tuple(touches), tuple(off), cue, tuple(rails), tuple(pocketed), pressed)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Protocol
 
+from .state import FRESH, NO_CALL, Call, Question, State
 from .stroke import Event, Stroke
 
 # Reasons that every game shares; each is a key of the texts, as all reasons are.
@@ -21,13 +22,19 @@ SAME_INSTANT = "same_instant"  # the last cushion needed, and the last ball
 class Turn:
     """Who plays what: the cue ball, whether this opens the match, the score before the stroke.
 
-    `target` is the player's handicap (수지), or None to play without end.
+    `target` is the player's handicap (수지), or None to play without end; `player` the index of the
+    player at the table among `players`, `against` the score of the next one.
     """
 
     cue: str = "white"
     opening: bool = False
     score: int = 0
     target: int | None = None
+    state: State = FRESH
+    call: Call = NO_CALL
+    player: int = 0
+    players: int = 2
+    against: int = 0
 
     def loss(self, penalty: int, *, floor_zero: bool) -> int:
         """The change of score that `penalty` points make, 0 or below."""
@@ -60,7 +67,17 @@ class Facts:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """The outcome of a stroke.  `reason` is a key of the texts, `points` the change of score."""
+    """The outcome of a stroke.  `reason` is a key of the texts, `points` the change of score.
+
+    gift      points that the next player gets
+    lost      the next player wins
+    drawn     nobody wins, and it is over
+    down      balls that stay pocketed
+    spot      balls that are spotted
+    rack      how many balls are racked before the next stroke, 0 for none
+    state     how the game stands afterwards, None if as before
+    question  what a player may choose before play goes on
+    """
 
     reason: str
     points: int = 0
@@ -69,6 +86,14 @@ class Verdict:
     passes: bool = True
     won: bool = False
     facts: Facts = Facts()
+    gift: int = 0
+    lost: bool = False
+    drawn: bool = False
+    down: tuple[str, ...] = ()
+    spot: tuple[str, ...] = ()
+    rack: int = 0
+    state: State | None = None
+    question: Question | None = None
 
 
 class Rules(Protocol):
@@ -80,6 +105,10 @@ class Rules(Protocol):
     def cues(self) -> tuple[str, ...]: ...
     @property
     def balls(self) -> tuple[str, ...]: ...
+    def start(self, players: int) -> State:
+        """How the game stands before its first stroke."""
+        ...
+
     def targets(self, turn: Turn) -> tuple[str, ...]:
         """The balls that this stroke may hit first."""
         ...
@@ -90,6 +119,10 @@ class Rules(Protocol):
 
     def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
         """What the stroke was worth: `log` holds its events alone, in order of time."""
+        ...
+
+    def judge(self, done: Stroke, turn: Turn) -> Verdict:
+        """What the stroke was worth, read from its log already."""
         ...
 
     def settles(self, verdict: Verdict) -> bool:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from danggu.players.levels import LEVELS, Level
 from danggu.players.positions import SAGU, THREE_CUSHION, opening
-from danggu.rules import GAMES as RULES
 from danggu.rules import carom, sagu
 from danggu.rules.match import Match, Player
 from danggu.rules.verdict import Rules
@@ -20,11 +19,12 @@ if TYPE_CHECKING:
     from game.options import Options
 
 FREE, FOUR_BALL = "free", "four-ball"
-GAMES = (*RULES,)
 KEYS = {FOUR_BALL: SAGU, "three-cushion": THREE_CUSHION}
 """What the rules call the games."""
 TABLES = {FREE: "medium", FOUR_BALL: "medium", "three-cushion": "match"}
 """The table each game is played on unless another one is asked for."""
+GAMES = (*TABLES,)
+"""The games that have a table in the window; `danggu.rules` knows more."""
 HUMAN = "human"
 SKILLS: dict[str, Level] = {level.key: level for level in LEVELS}
 SEATS = (HUMAN, *SKILLS)

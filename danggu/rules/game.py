@@ -1,0 +1,54 @@
+"""What the games with pockets share, so that each file says only what is its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import ClassVar, TypeVar
+
+from .state import BREAK, HEAD, State
+from .stroke import Event, Stroke, stroke
+from .verdict import Turn, Verdict
+
+T = TypeVar("T")
+CUE = "cue"
+NUMBERS = tuple(str(number) for number in range(1, 16))
+
+
+class Pocketed:
+    """A game with one cue ball and pockets: no cushion is needed, nothing is settled early."""
+
+    cues: ClassVar[tuple[str, ...]] = (CUE,)
+    objects: ClassVar[tuple[str, ...]] = NUMBERS
+
+    @property
+    def balls(self) -> tuple[str, ...]:
+        return (*self.cues, *self.objects)
+
+    def start(self, players: int) -> State:
+        """The break: all balls racked, the cue ball in hand behind the head string."""
+        none = (0,) * players
+        return State(BREAK, self.objects, fouls=none, warned=(False,) * players, region=HEAD)
+
+    def needs(self, turn: Turn) -> int:
+        return 0
+
+    def settles(self, verdict: Verdict) -> bool:
+        return False
+
+    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+        return self.judge(stroke(log, turn.cue), turn)
+
+    def judge(self, done: Stroke, turn: Turn) -> Verdict:
+        raise NotImplementedError
+
+
+def put(values: tuple[T, ...], index: int, value: T) -> tuple[T, ...]:
+    """The tuple with another value at the index."""
+    return (*values[:index], value, *values[index + 1 :])
+
+
+def without(state: State, gone: Iterable[str]) -> State:
+    """The state with these balls no longer on the table."""
+    away = set(gone)
+    return replace(state, left=tuple(ball for ball in state.left if ball not in away))

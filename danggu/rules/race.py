@@ -1,0 +1,47 @@
+"""Racks or frames: who has won how many, and who breaks the next."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+ALTERNATE, WINNER, LOSER = "alternate", "winner", "loser"
+
+
+@dataclass(frozen=True, slots=True)
+class Race:
+    """A race to `to` racks, or the best of 2 `to` − 1 frames.
+
+    won      racks of each player
+    breaker  index of the player who breaks the rack that is being played
+    breaks   who breaks the next one: "alternate", the "winner" or the "loser" of the last
+    """
+
+    to: int
+    won: tuple[int, ...] = (0, 0)
+    breaker: int = 0
+    breaks: str = ALTERNATE
+
+    def __post_init__(self) -> None:
+        if self.to < 1:
+            raise ValueError(f"a race is to 1 or more, not {self.to!r}")
+        if self.breaks not in (ALTERNATE, WINNER, LOSER):
+            known = f"{ALTERNATE}, {WINNER} or {LOSER}"
+            raise ValueError(f"breaks must be {known}, not {self.breaks!r:.60}")
+
+    @property
+    def winner(self) -> int | None:
+        """The player who has won the race, or None."""
+        return self.won.index(self.to) if self.to in self.won else None
+
+    def after(self, winner: int) -> Race:
+        """The race with a rack that this player has won; ValueError if it was over."""
+        if self.winner is not None:
+            raise ValueError("the race is over")
+        won = tuple(count + (i == winner) for i, count in enumerate(self.won))
+        players = len(self.won)
+        follows = {
+            ALTERNATE: (self.breaker + 1) % players,
+            WINNER: winner,
+            LOSER: (winner + 1) % players,
+        }
+        return replace(self, won=won, breaker=follows[self.breaks])
