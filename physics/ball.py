@@ -207,7 +207,8 @@ class Ball:
         roll = body.roll + (gain if body.phase == ROLLING else -2.5 * gain)
         fade = 0.0 if body.phase == AIRBORNE else self._clock.cloth.fade
         side = faded(body.side, t * body.radius * fade)
-        return -roll.imag / body.radius, roll.real / body.radius, side / body.radius
+        r = body.radius  # and no zero shows a sign
+        return 0.0 - roll.imag / r, 0.0 + roll.real / r, 0.0 + side / r
 
     @spin.setter
     def spin(self, value: Sequence[float]) -> None:

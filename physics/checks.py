@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from math import isfinite
+from operator import index
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -44,6 +45,17 @@ def nonnegative(name: str, value: float) -> float:
     number = finite(name, value)
     if number < 0.0:
         raise ValueError(f"{name} must not be negative, not {value!r}")
+    return number
+
+
+def whole(name: str, value: int, least: int, most: int) -> int:
+    """The value as an int, or ValueError unless it is a whole number from least to most."""
+    try:
+        number = index(value)
+    except TypeError:
+        number = least - 1
+    if isinstance(value, bool) or not least <= number <= most:
+        raise ValueError(f"{name} must be a whole number from {least} to {most}, not {value!r}")
     return number
 
 

@@ -114,6 +114,6 @@ class CueStroke:
             speed=kick * direction(self.elevation).real,
             angle=self.angle + self.squirt,
             follow=2.5 * kick * turned.real,
-            masse=-2.5 * kick * turned.imag,
-            side=2.5 * kick * vertical,
+            masse=0.0 - 2.5 * kick * turned.imag,  # no zero shows a sign
+            side=0.0 + 2.5 * kick * vertical,
         )

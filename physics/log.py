@@ -66,7 +66,7 @@ class Leg(NamedTuple):
     def state(self) -> State:
         """Where it begins and how."""
         p, v, w, r = self.position, self.velocity, self.roll / self.radius, self.radius
-        spin = -w.imag, w.real, self.side / r
+        spin = 0.0 - w.imag, 0.0 + w.real, 0.0 + self.side / r  # no zero shows a sign
         return State((p.real, p.imag), (v.real, v.imag), spin, max(0.0, self.height), self.climb)
 
     def energy(self, mass: float) -> float:
