@@ -1,6 +1,6 @@
 """The outcome of every scene and of 150 shots, to the last bit: `--write` renews tests/golden.json.
 
-Every machine gives the same bits (docs/physics.md, "The same digits everywhere"), unless its Python
+Every machine gives the same bits (docs/accuracy.md, "The same digits everywhere"), unless its Python
 was built to fuse the product and the sum in a complex product: there positions must agree to a
 tolerance, the events of each scene in number.
 """

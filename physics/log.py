@@ -91,7 +91,7 @@ class Event(NamedTuple):
     push: the part of the impulse along the contact's normal (at a cushion and between balls on the
     cloth, the level one), N s.
     away: at a cushion, the greatest gap between it and the ball since they last touched, or since
-    the log began, m; inf for other events. (docs/physics.md, "What an event tells".)
+    the log began, m; inf for other events. (docs/physics.md, "What an event says".)
     """
 
     time: float
