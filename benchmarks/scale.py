@@ -36,7 +36,7 @@ class Size(NamedTuple):
 
 
 def advance_for(world: World, events: int) -> int:
-    """Let the gas go on for about so many events; returns how many there were."""
+    """Let the gas go on for about that many events; returns how many there were."""
     before = len(world.log)
     while len(world.log) - before < events:
         world.run(world.time + 0.05 * max(1.0, events / len(world.balls)) / 20.0)
@@ -55,7 +55,7 @@ def event_cost(balls: int, effort: int) -> tuple[float, float]:
         scene = packed(world.scene)
         seconds, done = spent(partial(advance_for, world, events))
         best = min(best, seconds / done)
-        advance(0.0, 0, scene)  # so that nothing is loaded on the clock
+        advance(0.0, 0, scene)  # so that loading is not timed
         seconds, (done, _) = spent(partial(advance, world.time, 10**9, scene))
         best_compiled = min(best_compiled, seconds / done)
     return best, best_compiled

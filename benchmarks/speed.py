@@ -31,7 +31,7 @@ Row = tuple[str, str, Cost, float]  # what, how, cost, target in seconds
 
 
 def children(arguments: list[str], bytecode: Path) -> float:
-    """CPU seconds of this Python run with these arguments, its bytecode kept in that folder."""
+    """CPU seconds of Python run with these arguments, its bytecode kept in that folder."""
     env = {**os.environ, "PYTHONPYCACHEPREFIX": str(bytecode), "PYTHONDONTWRITEBYTECODE": ""}
     before = getrusage(RUSAGE_CHILDREN)
     subprocess.run([sys.executable, *arguments], cwd=ROOT, env=env, check=True)
@@ -66,7 +66,7 @@ def shots_table(effort: int) -> tuple[list[Row], Cost]:
     }
     for name in runs:
         if name.startswith("compiled"):
-            runs[name]()  # so that nothing is loaded or compiled on the clock
+            runs[name]()  # so that loading and compiling are not timed
     cost = in_turns(runs, (2, 5, 15)[effort])
     fan_events = play_fan(world, fan(directions)) / directions
     carom = f"carom shot, 4 balls, mean of {directions} directions ({fan_events:.1f} events)"
@@ -93,7 +93,7 @@ def _events(make: Callable[[], World]) -> int:
 
 
 def worst_frame(effort: int) -> Cost:
-    """The dearest 60-Hz frame of the break: the least of several runs, frame by frame."""
+    """The most expensive 60-Hz frame of the break: the least of several runs, frame by frame."""
     frames, runs = 60, []
     for _ in range((2, 5, 20)[effort]):
         world = break_shot()

@@ -14,7 +14,7 @@ class Cost(NamedTuple):
     median: float
 
     def per(self, parts: float) -> "Cost":
-        """The cost of one of so many equal parts."""
+        """The cost of one of that many equal parts."""
         return Cost(self.least / parts, self.median / parts)
 
 
@@ -26,9 +26,9 @@ def once(run: Callable[[], Any]) -> float:
 
 
 def in_turns(runs: dict[str, Callable[[], Any]], rounds: int) -> dict[str, Cost]:
-    """The cost of each, all run once in every round: what slows the machine slows them alike.
+    """The cost of each run, all once in every round: a busy machine slows them alike.
 
-    Each round begins with another one, since the first finds cold caches.
+    Each round begins with a different one, since the first finds cold caches.
     """
     order = list(runs)
     seen: dict[str, list[float]] = {name: [] for name in runs}

@@ -1,4 +1,4 @@
-"""How far a ball gets from a cushion before it meets it again, exactly: its legs are parabolas."""
+"""How far a ball gets from a cushion before it meets it again: exact, as legs are parabolas."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -16,7 +16,7 @@ KIND, WALL, BALL, LEG = 2, 3, 4, 5  # in an event
 class Departures:
     """For every event the greatest gap, m, between ball and cushion since they last touched.
 
-    Each is worked out once, when it is first asked for: rules ask for all of them again and again.
+    Each is computed once, on first use: rules ask for all of them again and again.
     """
 
     def __init__(self) -> None:
@@ -33,7 +33,7 @@ class Departures:
         return self._gaps[event]
 
     def clear(self) -> None:
-        """Events or legs are no longer what they were."""
+        """Forget all gaps: events or legs have changed."""
         self._gaps.clear()
         self._met.clear()
 
@@ -50,7 +50,7 @@ def farthest(legs: Sequence[Raw], wall: Wall) -> float:
     for leg, after in pairwise(legs):
         far = (inward * leg[POSITION]).real
         out = (inward * leg[VELOCITY]).real
-        if out > 0.0:  # or else it is farthest at the start, or where the next leg starts
+        if out > 0.0:  # otherwise it is farthest at the start, or where the next leg starts
             t = (after[EPOCH] - leg[EPOCH]) + (after[SINCE] - leg[SINCE])
             far += _gained(out, (inward * leg[ACCELERATION]).real, t)
         if far > most:

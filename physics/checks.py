@@ -1,4 +1,4 @@
-"""Numbers from outside: refused with their name when they are not what they should be."""
+"""Numbers from callers: refused, naming them, when they are not what they should be."""
 
 from collections.abc import Callable, Sequence
 from math import isfinite
@@ -73,7 +73,7 @@ def keep(owner: object, check: Callable[[str, float], float], *names: str) -> No
 
 
 def array(name: str, values: Any) -> "npt.NDArray[np.float64]":
-    """The values as an array of floats, or ValueError: NumPy would read text and count truths."""
+    """The values as an array of floats, or ValueError: NumPy would accept text and truth values."""
     import numpy as np
 
     try:
@@ -86,7 +86,7 @@ def array(name: str, values: Any) -> "npt.NDArray[np.float64]":
 
 
 def vector(name: str, value: Sequence[float], length: int) -> tuple[float, ...]:
-    """So many finite numbers, or ValueError with their name."""
+    """That many finite numbers, or ValueError with their name."""
     try:
         numbers = tuple(value)
     except TypeError:

@@ -1,4 +1,4 @@
-"""The cue: where and how fast the tip meets the ball, and the shot that comes of it."""
+"""The cue: where and how fast the tip meets the ball, and the shot that results."""
 
 from dataclasses import dataclass, replace
 from math import fsum, sqrt
@@ -9,7 +9,7 @@ from .shot import Shot, direction, heading
 
 
 class Heavy(Protocol):
-    """Whatever has a mass: a ball, or a table of presets."""
+    """Anything with a mass: a ball, or a table of presets."""
 
     @property
     def mass(self) -> float: ...
@@ -19,12 +19,18 @@ class Heavy(Protocol):
 class CueStroke:
     """A stroke of the cue; `.shot(ball)` is what it does to a ball (docs/physics.md, "Cue").
 
-    speed of the cue, m/s; angle it points to and elevation of its butt, degrees. side and height:
-    where the tip meets the ball, in radii from the centre seen from behind: side + to the right,
-    which is right english and, like `Shot.side`, anticlockwise spin; height + above, which is
-    follow. With elevation, side curves the path to its own side. cue_mass in kg; restitution of the
-    tip; end_ratio: ball's mass over the mass of the cue's end that moves sideways, which makes the
-    squirt; friction of the tip.
+    speed: of the cue, m/s.
+    angle: that it points to, degrees.
+    side: where the tip meets the ball, in radii from the centre, seen from behind; + to the right,
+    which is right english and, like `Shot.side`, anticlockwise spin. With elevation, side curves
+    the path to its own side.
+    height: the same upward; + is follow.
+    elevation: of its butt, degrees.
+    cue_mass: kg.
+    restitution: of the tip.
+    end_ratio: the ball's mass over the mass of the cue's end that moves sideways, which makes the
+    squirt.
+    friction: of the tip.
     ValueError for what is not finite or out of range, and for a miscue: a tip so far out that it
     slips.
     """
@@ -92,9 +98,9 @@ class CueStroke:
         return heading(complex(1.0 + self.end_ratio + 2.5 * level, 2.5 * x * sqrt(level)))
 
     def jump(self, ball: Heavy) -> Shot:
-        """The same with what `shot` leaves out: the cue drives the ball into the cloth.
+        """The same shot with what `shot` leaves out: the cue drives the ball into the cloth.
 
-        It bounces off at once, by the cloth's `bounce`, and flies.
+        The ball bounces off at once, by the cloth's `bounce`, and flies.
         """
         return replace(self.shot(ball), climb=-self._kick(ball) * direction(self.elevation).imag)
 

@@ -84,7 +84,7 @@ def rack15(gap: float = 1e-5, speed: float = 8.0) -> World:
 
 
 def cradle(balls: int = 5, angle: float = 0.0) -> World:
-    """Newton's cradle: on ice, a ball runs at 1 m/s, at `angle` degrees, into a row touching.
+    """Newton's cradle: on ice, a ball runs at 1 m/s, at `angle` degrees, into a row that touches.
 
     ValueError unless balls is a whole number from 1 to 10 000.
     """

@@ -1,4 +1,4 @@
-"""A wall: a straight line without end; the table is what lies inside them all."""
+"""A wall: an endless straight line; the table is what lies inside all of them."""
 
 from dataclasses import dataclass
 
@@ -12,10 +12,12 @@ ROUNDING = 4e-16  # and of one that is a unit as far as it can be
 
 @dataclass(frozen=True, slots=True)
 class Wall:
-    """Balls are where (conj(normal) * p).real > offset; make one with `Wall.line` or
-    `Wall.through`.
+    """Balls are where (conj(normal) * p).real > offset.
 
-    normal: inward unit normal as a complex number; offset in metres.
+    Make one with `Wall.line` or `Wall.through`.
+    normal: inward unit normal, as a complex number.
+    offset: m.
+    name: for events, or None.
     """
 
     normal: complex

@@ -14,8 +14,11 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Style:
-    """What is tried: speeds from `slow` to `fast` m/s, tips within `tip` radii of the centre, and
-    which share of the aims goes at a cushion first.
+    """Which aims are tried.
+
+    slow, fast: the range of speeds, m/s.
+    tip: the greatest offset from the centre, radii.
+    bank: the share of the aims that goes at a cushion first.
     """
 
     slow: float

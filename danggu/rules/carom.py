@@ -16,12 +16,15 @@ KEYS = {0: "straight", 1: "one_cushion", 3: "three_cushion"}
 
 @dataclass(frozen=True, slots=True)
 class Carom:
-    """Both other balls, the second one after `cushions` cushion contacts: 3, 1 or 0.
+    """A point for both other balls, the second one after enough cushions.
 
-    bank        points of a cannon that met a cushion before the first ball (the PBA gives 2)
-    red_first   the opening stroke must hit the red before the other ball
-    penalty     points that a foul costs; federations take none
-    floor_zero  the score never falls below zero
+    cushions: cushion contacts needed, 3, 1 or 0.
+    bank: points of a cannon that met a cushion before the first ball (the PBA gives 2).
+    red_first: the opening stroke must hit the red before the other ball.
+    penalty: points that a foul costs; federations take none.
+    floor_zero: the score never falls below zero.
+    cues: names of the cue balls, in the order of play.
+    red: name of the red.
     """
 
     cushions: int = 3

@@ -42,13 +42,18 @@ class Event(Protocol):
 
 def counts(event: Event) -> bool:
     """Whether it is a contact of its own, and not one with a cushion that has not been left."""
-    # entries written by hand may not say how far the ball had been: it came from afar
+    # an entry written by hand may not say how far the ball had been: then it came from afar
     return getattr(event, "away", inf) > LEFT
 
 
 @dataclass(frozen=True, slots=True)
 class Touch:
-    """The cue ball met `what`, a ball or a wall by name, at `time` s."""
+    """A contact of the cue ball.
+
+    time: s.
+    what: name of the ball or wall that it met.
+    cushion: whether that was a wall.
+    """
 
     time: float
     what: str
@@ -57,7 +62,11 @@ class Touch:
 
 @dataclass(frozen=True, slots=True)
 class Stroke:
-    """Touches of the cue ball in order of time, and the balls that left the table."""
+    """What happened to the cue ball.
+
+    touches: in order of time.
+    off: names of all balls that left the table.
+    """
 
     touches: tuple[Touch, ...]
     off: tuple[str, ...] = ()

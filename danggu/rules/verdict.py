@@ -19,9 +19,12 @@ SAME_INSTANT = "same_instant"  # the last cushion needed, and the last ball
 
 @dataclass(frozen=True, slots=True)
 class Turn:
-    """Who plays what: the cue ball, whether this opens the match, the score before the stroke.
+    """The circumstances of a stroke.
 
-    `target` is the player's handicap (수지), or None to play without end.
+    cue: name of the cue ball.
+    opening: whether this opens the match.
+    score: before the stroke.
+    target: the player's handicap (수지), or None to play without end.
     """
 
     cue: str = "white"
@@ -42,12 +45,12 @@ class Turn:
 class Facts:
     """What happened, up to the contact that decided the stroke, or all of it where none did.
 
-    hits      the balls hit, in order, each once, over the whole stroke
-    cushions  cushion contacts of the cue ball
-    bank      those of them before the first ball
-    path      names of balls and walls as they were met
-    decided   when, in s, or None
-    off       balls that left the table: they are to be spotted
+    hits: the balls hit, in order, each once, over the whole stroke.
+    cushions: cushion contacts of the cue ball.
+    bank: those of them before the first ball.
+    path: names of balls and walls as they were met.
+    decided: when, s, or None.
+    off: balls that left the table: they are to be spotted.
     """
 
     hits: tuple[str, ...] = ()
@@ -60,7 +63,15 @@ class Facts:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """The outcome of a stroke.  `reason` is a key of the texts, `points` the change of score."""
+    """The outcome of a stroke.
+
+    reason: a key of the texts.
+    points: the change of score.
+    made, foul: whether it scored, whether it was a foul.
+    passes: whether the turn passes to the next player.
+    won: whether it won the match.
+    facts: what happened.
+    """
 
     reason: str
     points: int = 0

@@ -23,31 +23,31 @@ if TYPE_CHECKING:
 
 
 class Engine(Protocol):
-    """What moves a world on."""
+    """What moves a world forward in time."""
 
     @property
     def vmin(self) -> float:
-        """m/s: the least speed at which what touched parts."""
+        """m/s: the least speed at which touching bodies separate."""
 
     def plan(self, world: "World", disturbed: list[int]) -> None:
-        """Take in that somebody has put or pushed these balls just now."""
+        """Plan these balls, which have just been placed or pushed."""
 
     def advance(self, world: "World", until: float) -> float:
-        """All that happens up to world time `until`; returns how long after the epoch it came."""
+        """Let all happen up to world time `until`; returns the time reached, s since the epoch."""
 
 
 def an_engine(thing: Engine) -> Engine:
-    """It, or ValueError if it is none."""
+    """The engine, or ValueError if the thing is not one."""
     if isinstance(thing, type) or not all(hasattr(thing, a) for a in ("vmin", "plan", "advance")):
         raise ValueError(f"an engine is an EventDriven(...) or TimeStepping(...), not {thing!r}")
     return thing
 
 
 class EventBudgetError(RuntimeError):
-    """More events than there may be.
+    """The event budget was exceeded.
 
-    `.scene` is the world when a ball was last put or pushed, as plain data that JSON can hold and
-    `physics.store.restore` makes a world of.
+    `.scene` is the world when a ball was last placed or pushed, as plain data that JSON can hold
+    and that `physics.store.restore` makes a world of.
     """
 
     def __init__(self, budget: int, time: float, scene: dict[str, Any]) -> None:
@@ -61,7 +61,7 @@ class EventBudgetError(RuntimeError):
 
 
 class ContactError(RuntimeError):
-    """No impulses were found that make all the balls that touch at one instant part.
+    """No impulses were found that make all balls touching at one instant part.
 
     `.scene` is as in EventBudgetError; nothing of that instant has been applied to the log.
     """
@@ -78,9 +78,10 @@ class ContactError(RuntimeError):
 
 @dataclass(frozen=True, slots=True)
 class EventDriven:
-    """Exact in time and place; touching things part with at least `vmin`, m/s.
+    """Exact in time and place.
 
-    `budget`: how many events there may be after a ball was last put or pushed; one more raises
+    vmin: the least speed at which touching bodies separate, m/s.
+    budget: how many events there may be after a ball was last placed or pushed; one more raises
     EventBudgetError.
     """
 
@@ -135,7 +136,7 @@ class EventDriven:
 
 
 def _springs(i: int, scene: Any, law: Any) -> Any:
-    from .hertz import happen  # loaded only by whom it serves
+    from .hertz import happen  # imported on first use: only Hertz worlds need it
 
     return happen(i, scene, law)
 
@@ -147,7 +148,7 @@ def _scene(world: "World", budget: int) -> Any:
 
 
 def _note_cluster(world: "World", time: float, contacts: int, lasting: bool) -> int:
-    """Enter it in the log; returns how many events it counts as, which is never none."""
+    """Enter it in the log; returns how many events it counts as, at least one."""
     ties = world.scene.ties.contacts[:contacts]
     asked = [(t.first, t.second, t.target) for t in ties if t.target > -inf] if lasting else []
     pairs = [(tie.first, tie.second, tie.total) for tie in ties if tie.total > 0.0]

@@ -27,13 +27,13 @@ ROLL = 0.01
 ROLL_SPEED = 7.0  # m/s: rolling friction is ROLL times this over the speed
 SPIN_DECAY = 10.0  # rad/s²
 GRAVITY = 9.8  # m/s²
-LEVEL = sqrt(21.0 / 25.0)  # distance of the nose's contact from the vertical axis, in radii
+REACH = sqrt(21.0 / 25.0)  # distance of the nose's contact from the vertical axis, in radii
 WALL_NUDGE = 0.5  # of a substep: how far a ball is moved on from a contact
 BALL_NUDGE = 0.25
 
 
 def start(world: "World", disturbed: list[int]) -> None:
-    """Balls that somebody has put or pushed, and all others with them, are at a substep's start."""
+    """Placed or pushed balls, and all others with them, are at a substep's start."""
     catch_up(world)
     for i, ball in enumerate(world.scene.balls):
         roll, side = ball.roll, ball.side
@@ -60,7 +60,7 @@ def spin(ball: Any) -> tuple[complex, float]:
 
 
 def begin(ball: Any, a: complex, w: complex, wz: float) -> None:
-    """The leg that the world reads: all forces of the program act at the cloth, as sliding does."""
+    """The leg that the world reads: the program's forces all act at the cloth, as in sliding."""
     ball.acceleration = a
     ball.roll, ball.side = -1j * w * ball.radius, wz * ball.radius
     ball.phase = RESTING if ball.velocity == 0j and w == 0j else SLIDING
@@ -138,7 +138,7 @@ def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
     toward = (v * normal.conjugate()).real
     w += (1 + WALL_RESTITUTION) / r * -toward * (1j * normal)
     ball.velocity += (1 + WALL_RESTITUTION) * -toward * normal
-    slip = -(LEVEL * r) * (1j * (wz * normal)) + (v - toward * normal)
+    slip = -(REACH * r) * (1j * (wz * normal)) + (v - toward * normal)
     size = length(slip)
     if size > 0.0:
         rub = m * (1 + WALL_RESTITUTION) * -toward * WALL_FRICTION[0] * WALL_FRICTION[1]
@@ -146,7 +146,7 @@ def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
             rub = 0.5 * size
         impulse = rub * (-1 * (slip / size))
         ball.velocity += impulse / m
-        lever = -1 * r * LEVEL * normal
+        lever = -1 * r * REACH * normal
         wz += (lever.conjugate() * impulse).imag / (2 * (m * (r * r)) / 5)
     ball.position += WALL_NUDGE * ball.velocity * dt
     leave(world, time, i, w, wz)
@@ -174,7 +174,7 @@ def meet(world: "World", time: float, dt: float, i: int, j: int) -> None:
 
 
 def come(world: "World", i: int) -> tuple[complex, float]:
-    """The spin with which ball i comes to a contact; for the log, the state it comes in."""
+    """The spin with which ball i comes to a contact; its state then goes into the log."""
     ball = world.scene.balls[i]
     w, wz = spin(ball)
     begin(ball, 0j, w, wz)
@@ -183,7 +183,7 @@ def come(world: "World", i: int) -> tuple[complex, float]:
 
 
 def leave(world: "World", time: float, i: int, w: complex, wz: float) -> None:
-    """What a contact has left ball i with; its acceleration follows when all contacts are done."""
+    """Ball i after a contact; its acceleration follows when all contacts are done."""
     ball = world.scene.balls[i]
     begin(ball, 0j, w, wz)
     remember(ball, w, wz)

@@ -1,6 +1,6 @@
 """Euler and Runge-Kutta on the equations of motion, as a textbook has them.
 
-What friction does is asked at the step's start, or at its four stages; where it would reverse the
+Friction is evaluated at the step's start, or at its four stages; where it would reverse the
 slip or the ball within the step, the slip or the ball stops at the step's end. Between such points
 the motion is quadratic in time, so Euler is of order 1 there and Runge-Kutta exact; through them,
 and through contacts, both are of order 1.
@@ -62,7 +62,7 @@ def rk4(now: Motion, h: float, rate: Rate) -> Motion:
 
 
 def start(world: "World", disturbed: list[int]) -> None:
-    """Balls that somebody has put or pushed, and all others with them, are at a step's start."""
+    """Placed or pushed balls, and all others with them, are at a step's start."""
     catch_up(world)
     for i in disturbed:
         launch(world.scene.balls[i], world.scene.cloth)
@@ -80,7 +80,7 @@ def trial(ball: Any, h: float, cloth: Any, integrator: Integrator) -> Motion:
 
 
 def move(world: "World", time: float, integrator: Integrator) -> None:
-    """All balls as far as `time`."""
+    """Move all balls to `time`."""
     cloth = world.scene.cloth
     for i, ball in enumerate(world.scene.balls):
         if ball.phase == RESTING:
@@ -99,7 +99,7 @@ def move(world: "World", time: float, integrator: Integrator) -> None:
 
 
 def substep(world: "World", time: float, ahead: float, k: int, integrator: Integrator) -> None:
-    """Motion as far as `time`, then the contacts that it has led to."""
+    """Motion up to `time`, then the contacts that it has led to."""
     move(world, time, integrator)
     contacts(world, time)
     if kept(k, ahead):

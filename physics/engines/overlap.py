@@ -16,7 +16,7 @@ KEEP = 1 / 2000  # s between legs in the log: every leg of a finer grid would fi
 
 
 def launch(ball: Any, cloth: Any) -> None:
-    """How friction moves the ball from now on, and until when, whatever it may meet."""
+    """How friction moves the ball from now on, and until when, if it meets nothing."""
     ball.phase, ball.acceleration, lasts = motion(ball.velocity, ball.roll, cloth)
     if ball.phase == RESTING:
         ball.velocity = ball.roll = 0j
@@ -24,7 +24,7 @@ def launch(ball: Any, cloth: Any) -> None:
 
 
 def catch_up(world: "World") -> None:
-    """Bring every ball along its leg to now: a grid that begins anew begins with all of them."""
+    """Bring every ball along its leg to now: a new grid begins with all of them."""
     for ball in world.scene.balls:
         if ball.phase >= RESTING:
             carry(ball, world.now, world.scene.cloth)
@@ -57,10 +57,10 @@ def end_phase(world: "World", time: float, i: int) -> None:
 def touching(
     scene: Scene, spots: list[complex], speed: Callable[[int], complex]
 ) -> Iterator[tuple[int, int, int]]:
-    """(PAIR, ball, ball) or (CUSHION, ball, wall) for all that overlap and approach, in order.
+    """(PAIR, ball, ball) or (CUSHION, ball, wall), in order, where two overlap and approach.
 
-    The balls are at `spots`; ball i's velocity is speed(i), asked anew each time: a contact found
-    here may have changed it by then.
+    The balls are at `spots`; ball i's velocity is speed(i), asked each time: a contact found here
+    may have changed it by then.
     """
     balls = scene.balls
     for i, (ball, p) in enumerate(zip(balls, spots, strict=True)):

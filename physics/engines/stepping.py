@@ -1,4 +1,4 @@
-"""Fixed steps: what touches is noticed on a grid of times, when it overlaps already."""
+"""Fixed steps: contacts are noticed on a grid of times, when things overlap already."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ Substep = Callable[["World", float, float, int], None]
 
 
 class Scheme(NamedTuple):
-    """What to do with disturbed balls, at a grid time, and when a ball's `next` is before one."""
+    """What to do with disturbed balls, at a grid time, and when a phase ends before one."""
 
     start: Callable[["World", list[int]], None]
     substep: Substep
@@ -37,11 +37,11 @@ def start(world: "World", disturbed: list[int]) -> None:
 
 
 def notice(world: "World", time: float, ahead: float, k: int) -> None:
-    """The thesis's substep: legs are exact, so there is nothing to do but to look for contacts."""
+    """The thesis's substep: legs are exact, so only contacts have to be looked for."""
     contacts(world, time)
 
 
-def turn(world: "World", time: float, ahead: float, k: int) -> None:
+def change_phase(world: "World", time: float, ahead: float, k: int) -> None:
     """Sliding ends in rolling, and rolling in rest, within a substep."""
     for i, ball in enumerate(world.scene.balls):
         if ball.leg_end <= time and ball.phase != RESTING:
@@ -50,7 +50,7 @@ def turn(world: "World", time: float, ahead: float, k: int) -> None:
 
 
 SCHEMES = {
-    "thesis": Scheme(start, notice, turn),
+    "thesis": Scheme(start, notice, change_phase),
     "literal": Scheme(literal.start, literal.substep),
     "euler": Scheme(naive.start, partial(naive.substep, integrator=naive.euler)),
     "rk4": Scheme(naive.start, partial(naive.substep, integrator=naive.rk4)),
@@ -60,12 +60,14 @@ SCHEMES = {
 
 @dataclass(frozen=True, slots=True)
 class TimeStepping:
-    """Steps of dt seconds, counted from the moment a ball was last put or pushed.
+    """Steps of dt seconds, counted from the moment a ball was last placed or pushed.
 
+    dt: s.
     scheme: "thesis" moves balls exactly and is only late in noticing contacts; "euler" and "rk4"
     integrate the motion as well; "rk4-located" finds the time of contacts within a step; "literal"
     is the thesis's printed program, with its own constants and laws (see `engines.literal`).
-    vmin, m/s, and budget as in EventDriven. However time is divided by `World.step`, the grid and
+    vmin, budget: as in EventDriven.
+    However time is divided by `World.step`, the grid and
     all that happens on it are the same, bit for bit; between grid times balls are read off their
     legs. ValueError for dt not above zero or an unknown scheme, and for a run to rest that has no
     end: "literal" never rests, and nothing does on a cloth without friction.
@@ -114,7 +116,7 @@ class TimeStepping:
         return time
 
     def _grid(self, world: "World", k: int) -> float:
-        """The k-th grid time, seconds from the epoch: reckoned, not added up."""
+        """The k-th grid time, seconds from the epoch: a product, not a sum of steps."""
         return world.planned - world.epoch + k * self.dt
 
     def _next(self, world: "World") -> int:

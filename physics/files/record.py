@@ -12,7 +12,7 @@ from physics.wall import Wall
 if TYPE_CHECKING:
     from physics.world import World
 
-HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of what is named
+HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of named things
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
 DISTURBED = "disturbed"
 PHASES = NAMES  # in files as elsewhere
@@ -52,8 +52,8 @@ def world_data(world: "World") -> Data:
 
 
 def planned_data(world: "World", budget: int) -> Data:
-    """The world as it was when a ball was last put or pushed, `budget` events before the last that
-    is allowed; from its log."""
+    """The world as it was when a ball was last placed or pushed, `budget` events before the last
+    allowed one; from its log."""
     data = world_data(world)
     now = world.planned - world.epoch
     data["now"], data["due"] = now, None
@@ -73,7 +73,7 @@ def insist_on_names(world: "World") -> None:
         thing = getattr(world, what.replace(" ", "_"))
         if not _ours(thing):
             raise ValueError(
-                f"the {what} {getattr(thing, '__name__', thing)!r} comes from outside: only the"
+                f"the {what} {getattr(thing, '__name__', thing)!r} is a custom one: only the"
                 " laws and engines of this package can be saved"
             )
     for ball in world.balls:
@@ -82,7 +82,7 @@ def insist_on_names(world: "World") -> None:
 
 
 def foresees(world: "World") -> bool:
-    """Does all that the engine has planned follow from the legs?  Then it need not be kept."""
+    """Does everything that the engine has planned follow from the legs?  Then it is not kept."""
     return bool(getattr(world.engine, "foresees", False))
 
 
@@ -100,9 +100,9 @@ def _ours(thing: Any) -> bool:
 
 
 def _named(thing: Any) -> Data:
-    """A law or an engine by its name; of one from outside, the name is all there is to tell."""
+    """A law or an engine as data; of a custom one, only its name."""
     if not _ours(thing):
-        return {"name": f"{getattr(thing, '__name__', thing)} (from outside)"}
+        return {"name": f"{getattr(thing, '__name__', thing)} (custom)"}
     return {"name": type(thing).__name__, **asdict(thing)}
 
 

@@ -361,7 +361,7 @@ def hold(tie, balls, rule):
 
 @kernel
 def brush(ball, push, wall, rule):
-    """The friction of a cushion that has pushed the ball: the rigid law's, whatever the law."""
+    """The friction of a cushion that has pushed the ball: the rigid law's, for every law."""
     v, roll = wall.inward * ball.velocity, wall.inward * ball.roll
     push /= ball.mass * rule.level
     v, roll, ball.side = rigid_cushion(v, roll, ball.side, push, rule)

@@ -1,4 +1,4 @@
-"""What somebody hands in: made plain numbers, or refused by name before anything changes."""
+"""What callers hand in: made plain numbers, or refused by name before anything changes."""
 
 from dataclasses import fields, replace
 from functools import partial
@@ -158,7 +158,7 @@ def test_shots_of_the_wrong_shape_are_not_taken_for_others(shots):
 def test_who_cannot_help_with_a_batch_is_refused_before_it_begins(wrong):
     (name, value), = wrong.items()
     with pytest.raises(ValueError, match=f"simulate_many {name} must .* {value!r}"):
-        simulate_many(scenes.carom(), "nobody", [Shot(3.0)], **wrong)
+        simulate_many(scenes.carom(), "missing", [Shot(3.0)], **wrong)
 
 
 def test_a_ball_keeps_its_name():
