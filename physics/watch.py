@@ -6,18 +6,16 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from math import hypot, inf, isfinite
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from .ball import Ball
+from .engines.engine import Movable
 from .engines.exact import EventBudgetError
 from .kernel.body import Body, twin_grid
 from .kernel.flight import aloft
 from .kernel.motion import length
 from .kernel.tilt import levelled
 from .laws import CustomRule
-
-if TYPE_CHECKING:
-    from .world import World
 
 ROUNDING = 1e-9  # of the energy: what a law may gain by rounding
 ALIKE = 1e-9  # m/s: how well a ball must fit what a law was given, to be named
@@ -197,7 +195,7 @@ def _gain(v: complex, roll: complex, side: float, mass: float, push: float, rub:
 
 
 @contextmanager
-def undone(world: "World") -> Iterator[None]:
+def undone(world: Movable) -> Iterator[None]:
     """If this fails, the world is as it was before, unless the event budget was exceeded."""
     scene, clock = world.scene, world.clock
     kept = scene._replace(meetings=scene.meetings[:], grid=twin_grid(scene.grid))

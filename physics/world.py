@@ -10,7 +10,8 @@ from . import laws
 from .ball import DISTURBED, Ball, Clock, Placed
 from .checks import finite, nonnegative, truth
 from .cloth import Cloth, a_cloth
-from .engines.exact import Engine, EventDriven, an_engine
+from .engines.engine import Engine, an_engine
+from .engines.exact import EventDriven
 from .files.record import foresees
 from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_scene
 from .kernel.motion import OFF, RESTING

@@ -2,9 +2,10 @@
 
 from dataclasses import dataclass
 from math import inf
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol
+from typing import Any, ClassVar
 
 from physics.checks import keep, nonnegative, positive
+from physics.engines.engine import Movable
 from physics.kernel.calendar import (
     LASTING,
     PAIR,
@@ -18,30 +19,6 @@ from physics.kernel.calendar import (
 from physics.kernel.grid import locate
 from physics.kernel.impulses import WALL
 
-if TYPE_CHECKING:
-    from physics.world import World
-
-
-class Engine(Protocol):
-    """What moves a world forward in time."""
-
-    @property
-    def vmin(self) -> float:
-        """m/s: the least speed at which touching bodies separate."""
-
-    def plan(self, world: "World", disturbed: list[int]) -> None:
-        """Plan these balls, which have just been placed or pushed."""
-
-    def advance(self, world: "World", until: float) -> float:
-        """Let all happen up to world time `until`; returns the time reached, s since the epoch."""
-
-
-def an_engine(thing: Engine) -> Engine:
-    """The engine, or ValueError if the thing is not one."""
-    if isinstance(thing, type) or not all(hasattr(thing, a) for a in ("vmin", "plan", "advance")):
-        raise ValueError(f"an engine is an EventDriven(...) or TimeStepping(...), not {thing!r}")
-    return thing
-
 
 class EventBudgetError(RuntimeError):
     """The event budget was exceeded.
@@ -53,11 +30,11 @@ class EventBudgetError(RuntimeError):
     def __init__(self, budget: int, time: float, scene: dict[str, Any]) -> None:
         super().__init__(f"more than {budget} events by t = {time!r} s; the scene is in .scene")
         self.scene = scene
-        self._told = budget, time, scene
+        self._given = budget, time, scene
 
     def __reduce__(self) -> Any:
         """It may come from another process."""
-        return type(self), self._told
+        return type(self), self._given
 
 
 class ContactError(RuntimeError):
@@ -69,11 +46,11 @@ class ContactError(RuntimeError):
     def __init__(self, time: float, scene: dict[str, Any]) -> None:
         super().__init__(f"no impulses make all contacts part at t = {time!r} s; see .scene")
         self.scene = scene
-        self._told = time, scene
+        self._given = time, scene
 
     def __reduce__(self) -> Any:
         """It may come from another process."""
-        return type(self), self._told
+        return type(self), self._given
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +71,7 @@ class EventDriven:
         keep(self, nonnegative, "vmin")
         positive("EventDriven.budget", self.budget)
 
-    def plan(self, world: "World", disturbed: list[int]) -> None:
+    def plan(self, world: Movable, disturbed: list[int]) -> None:
         scene, balls = world.scene, world.scene.balls
         for i in disturbed:
             if scene.celled:
@@ -106,7 +83,7 @@ class EventDriven:
         world.due = balls[soonest(scene)].next if balls else inf
         world.allowed = len(world.log) + self.budget
 
-    def advance(self, world: "World", until: float) -> float:
+    def advance(self, world: Movable, until: float) -> float:
         scene, log, epoch = world.scene, world.log, world.epoch
         balls, fade, celled = scene.balls, scene.cloth.fade, scene.celled
         time, law, left = world.now, world.cluster_law, world.allowed - len(log)
@@ -141,13 +118,13 @@ def _springs(i: int, scene: Any, law: Any) -> Any:
     return happen(i, scene, law)
 
 
-def _scene(world: "World", budget: int) -> Any:
+def _scene(world: Movable, budget: int) -> Any:
     from physics.files.record import planned_data
 
     return planned_data(world, budget)
 
 
-def _note_cluster(world: "World", time: float, contacts: int, lasting: bool) -> int:
+def _note_cluster(world: Movable, time: float, contacts: int, lasting: bool) -> int:
     """Enter it in the log; returns how many events it counts as, at least one."""
     ties = world.scene.ties.contacts[:contacts]
     asked = [(t.first, t.second, t.target) for t in ties if t.target > -inf] if lasting else []

@@ -8,16 +8,14 @@ Constants and laws are its own; walls, radii and masses are the world's.
 """
 
 from math import sqrt
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from physics.engines.engine import Movable
 from physics.kernel.calendar import CUSHION, PAIR
 from physics.kernel.motion import RESTING, SLIDING, length
 from physics.kernel.tilt import between
 
 from .overlap import catch_up, kept, mark, note
-
-if TYPE_CHECKING:
-    from physics.world import World
 
 WALL_RESTITUTION = 0.9
 WALL_FRICTION = (0.2, 0.5)  # multiplied one after the other
@@ -32,7 +30,7 @@ WALL_NUDGE = 0.5  # of a substep: how far a ball is moved on from a contact
 BALL_NUDGE = 0.25
 
 
-def start(world: "World", disturbed: list[int]) -> None:
+def start(world: Movable, disturbed: list[int]) -> None:
     """Placed or pushed balls, and all others with them, are at a substep's start."""
     catch_up(world)
     for i, ball in enumerate(world.scene.balls):
@@ -66,7 +64,7 @@ def begin(ball: Any, a: complex, w: complex, wz: float) -> None:
     ball.phase = RESTING if ball.velocity == 0j and w == 0j else SLIDING
 
 
-def substep(world: "World", time: float, dt: float, k: int) -> None:
+def substep(world: Movable, time: float, dt: float, k: int) -> None:
     """Motion, collisions, accelerations: the program's order, begun at its last third."""
     balls = world.scene.balls
     for ball in balls:
@@ -130,7 +128,7 @@ def forces(
     return a, alpha, -SPIN_DECAY if wz >= SPIN_DECAY * dt else -wz * rate
 
 
-def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
+def bounce(world: Movable, time: float, dt: float, i: int, n: int) -> None:
     """Ball i overlaps wall n, coming or going."""
     ball, normal = world.scene.balls[i], world.scene.walls[n].normal
     w, wz = come(world, i)
@@ -153,7 +151,7 @@ def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
     note(world, time, CUSHION, i, n)
 
 
-def meet(world: "World", time: float, dt: float, i: int, j: int) -> None:
+def meet(world: Movable, time: float, dt: float, i: int, j: int) -> None:
     """Balls i and j overlap, coming or going: what each had along the line, the other gets."""
     a, b = world.scene.balls[i], world.scene.balls[j]
     (wa, za), (wb, zb) = come(world, i), come(world, j)
@@ -173,7 +171,7 @@ def meet(world: "World", time: float, dt: float, i: int, j: int) -> None:
         note(world, time, PAIR, i, j)
 
 
-def come(world: "World", i: int) -> tuple[complex, float]:
+def come(world: Movable, i: int) -> tuple[complex, float]:
     """The spin with which ball i comes to a contact; its state then goes into the log."""
     ball = world.scene.balls[i]
     w, wz = spin(ball)
@@ -182,7 +180,7 @@ def come(world: "World", i: int) -> tuple[complex, float]:
     return w, wz
 
 
-def leave(world: "World", time: float, i: int, w: complex, wz: float) -> None:
+def leave(world: Movable, time: float, i: int, w: complex, wz: float) -> None:
     """Ball i after a contact; its acceleration follows when all contacts are done."""
     ball = world.scene.balls[i]
     begin(ball, 0j, w, wz)

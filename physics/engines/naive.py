@@ -9,14 +9,12 @@ and through contacts, both are of order 1.
 from collections.abc import Callable
 from functools import partial
 from math import inf
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
+from physics.engines.engine import Movable
 from physics.kernel.motion import RESTING, ROLLING, faded, motion
 
 from .overlap import bring, catch_up, contacts, end_phase, kept, launch, mark, touching
-
-if TYPE_CHECKING:
-    from physics.world import World
 
 HALVINGS = 50  # of a step: to the last digits of the time of contact
 
@@ -61,7 +59,7 @@ def rk4(now: Motion, h: float, rate: Rate) -> Motion:
     return now.plus(h / 6, first).plus(h / 3, second).plus(h / 3, third).plus(h / 6, fourth)
 
 
-def start(world: "World", disturbed: list[int]) -> None:
+def start(world: Movable, disturbed: list[int]) -> None:
     """Placed or pushed balls, and all others with them, are at a step's start."""
     catch_up(world)
     for i in disturbed:
@@ -79,7 +77,7 @@ def trial(ball: Any, h: float, cloth: Any, integrator: Integrator) -> Motion:
     return integrator(Motion(ball.position, ball.velocity, ball.roll), h, rate)
 
 
-def move(world: "World", time: float, integrator: Integrator) -> None:
+def move(world: Movable, time: float, integrator: Integrator) -> None:
     """Move all balls to `time`."""
     cloth = world.scene.cloth
     for i, ball in enumerate(world.scene.balls):
@@ -98,7 +96,7 @@ def move(world: "World", time: float, integrator: Integrator) -> None:
         end_phase(world, time, i)
 
 
-def substep(world: "World", time: float, ahead: float, k: int, integrator: Integrator) -> None:
+def substep(world: Movable, time: float, ahead: float, k: int, integrator: Integrator) -> None:
     """Motion up to `time`, then the contacts that it has led to."""
     move(world, time, integrator)
     contacts(world, time)
@@ -108,7 +106,7 @@ def substep(world: "World", time: float, ahead: float, k: int, integrator: Integ
                 mark(world, i)
 
 
-def located(world: "World", time: float, ahead: float, k: int) -> None:
+def located(world: Movable, time: float, ahead: float, k: int) -> None:
     """Runge-Kutta; and a contact due within the step to come ends that step where it happens."""
     substep(world, time, ahead, k, rk4)
     for ball in world.scene.balls:
@@ -122,7 +120,7 @@ def located(world: "World", time: float, ahead: float, k: int) -> None:
     world.scene.balls[0].next = high
 
 
-def touches(world: "World", h: float) -> bool:
+def touches(world: Movable, h: float) -> bool:
     """Will anything overlap and approach h seconds after the step's start?"""
     there = [trial(ball, h, world.scene.cloth, rk4) for ball in world.scene.balls]
     spots = [ball.position for ball in there]

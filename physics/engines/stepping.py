@@ -4,9 +4,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from math import inf
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from physics.checks import keep, nonnegative, positive
+from physics.engines.engine import Movable
 from physics.files.record import planned_data
 from physics.kernel.motion import RESTING, carry
 
@@ -14,34 +15,31 @@ from . import literal, naive
 from .exact import EventBudgetError
 from .overlap import contacts, end_phase, launch, mark
 
-if TYPE_CHECKING:
-    from physics.world import World
-
 # (world, time, seconds to the next grid time, number of the grid time)
-Substep = Callable[["World", float, float, int], None]
+Substep = Callable[[Movable, float, float, int], None]
 
 
 class Scheme(NamedTuple):
     """What to do with disturbed balls, at a grid time, and when a phase ends before one."""
 
-    start: Callable[["World", list[int]], None]
+    start: Callable[[Movable, list[int]], None]
     substep: Substep
     between: Substep | None = None
 
 
-def start(world: "World", disturbed: list[int]) -> None:
+def start(world: Movable, disturbed: list[int]) -> None:
     """New legs for these balls; the others stay on theirs, which are exact."""
     for i in disturbed:
         launch(world.scene.balls[i], world.scene.cloth)
         mark(world, i)
 
 
-def notice(world: "World", time: float, ahead: float, k: int) -> None:
+def notice(world: Movable, time: float, ahead: float, k: int) -> None:
     """The thesis's substep: legs are exact, so only contacts have to be looked for."""
     contacts(world, time)
 
 
-def change_phase(world: "World", time: float, ahead: float, k: int) -> None:
+def change_phase(world: Movable, time: float, ahead: float, k: int) -> None:
     """Sliding ends in rolling, and rolling in rest, within a substep."""
     for i, ball in enumerate(world.scene.balls):
         if ball.leg_end <= time and ball.phase != RESTING:
@@ -86,7 +84,7 @@ class TimeStepping:
             names = ", ".join(SCHEMES)
             raise ValueError(f"unknown TimeStepping.scheme {self.scheme!r}: one of {names}")
 
-    def plan(self, world: "World", disturbed: list[int]) -> None:
+    def plan(self, world: Movable, disturbed: list[int]) -> None:
         for ball in world.balls:
             if ball.phase in ("airborne", "off"):
                 raise ValueError(f"{ball!r}: fixed steps know only balls on the table")
@@ -94,7 +92,7 @@ class TimeStepping:
         world.due = self._grid(world, 0) if _moving(world) else inf
         world.allowed = len(world.log) + self.budget
 
-    def advance(self, world: "World", until: float) -> float:
+    def advance(self, world: Movable, until: float) -> float:
         scheme, time = SCHEMES[self.scheme], world.now
         if until == inf and _moving(world):
             self._insist_on_an_end(world)
@@ -115,23 +113,23 @@ class TimeStepping:
                 )
         return time
 
-    def _grid(self, world: "World", k: int) -> float:
+    def _grid(self, world: Movable, k: int) -> float:
         """The k-th grid time, seconds from the epoch: a product, not a sum of steps."""
         return world.planned - world.epoch + k * self.dt
 
-    def _next(self, world: "World") -> int:
+    def _next(self, world: Movable) -> int:
         """The number of the first grid time that is not before what is due."""
         if world.due == inf:
             return 0
         k = max(0, round((world.due - self._grid(world, 0)) / self.dt))
         return k if self._grid(world, k) >= world.due else k + 1
 
-    def _insist_on_an_end(self, world: "World") -> None:
+    def _insist_on_an_end(self, world: Movable) -> None:
         if self.scheme == "literal":
             raise ValueError("the thesis's program never rests: run it until a time")
         if world.cloth.slide * world.cloth.roll * world.cloth.gravity == 0.0:
             raise ValueError(f"nothing rests on {world.cloth!r}: run it until a time")
 
 
-def _moving(world: "World") -> bool:
+def _moving(world: Movable) -> bool:
     return any(ball.phase != RESTING for ball in world.scene.balls)

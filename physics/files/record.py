@@ -2,15 +2,13 @@
 
 from dataclasses import asdict, is_dataclass
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from physics.ball import NAMES, Ball
+from physics.engines.engine import Movable
 from physics.kernel.lasting import NEVER
 from physics.shot import Shot
 from physics.wall import Wall
-
-if TYPE_CHECKING:
-    from physics.world import World
 
 HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of named things
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
@@ -29,7 +27,7 @@ def shot_data(shot: Shot) -> Data:
     return {"danggu": "shot", "version": VERSION, **asdict(shot)}
 
 
-def world_data(world: "World") -> Data:
+def world_data(world: Movable) -> Data:
     """All that decides how the world goes on; not its log."""
     clock = world.clock
     return {
@@ -51,7 +49,7 @@ def world_data(world: "World") -> Data:
     }
 
 
-def planned_data(world: "World", budget: int) -> Data:
+def planned_data(world: Movable, budget: int) -> Data:
     """The world as it was when a ball was last placed or pushed, `budget` events before the last
     allowed one; from its log."""
     data = world_data(world)
@@ -67,7 +65,7 @@ def planned_data(world: "World", budget: int) -> Data:
     return data
 
 
-def insist_on_names(world: "World") -> None:
+def insist_on_names(world: Movable) -> None:
     """ValueError for a ball, a law or an engine that a file cannot name."""
     for what in ("ball law", "cushion law", "engine"):
         thing = getattr(world, what.replace(" ", "_"))
@@ -81,7 +79,7 @@ def insist_on_names(world: "World") -> None:
             raise ValueError(f"ball {ball.name!r}: only names that are text can be saved")
 
 
-def foresees(world: "World") -> bool:
+def foresees(world: Movable) -> bool:
     """Does everything that the engine has planned follow from the legs?  Then it is not kept."""
     return bool(getattr(world.engine, "foresees", False))
 
