@@ -1,4 +1,4 @@
-"""The rooms around the game: which may name which, no circles, no window where it does not belong."""
+"""The rooms around the game: which may name which, no circles, no window where none belongs."""
 
 import ast
 import subprocess
