@@ -154,16 +154,16 @@ def word(engine: str | None) -> str:
 
 
 def report(world: World, options: argparse.Namespace) -> None:
-    """One line for each event."""
+    """A line an event."""
     count = len(world.log)
     print(f"{options.name}: {count} events in {world.time:.4f} s, {word(options.engine)}")
     if not count and world.at_rest:
         print(f"all balls lie still: python -m physics sweep {options.name} --speed 2 plays a shot")
         return
-    print(f"{'time, s':>9}  {'event':8} {'what':24} speed before -> after, m/s")
+    print(f"{'time, s':>9}  {'event':8} {'who':24} speed before -> after, m/s")
     for event in world.log:
-        things = ", ".join([*event.balls, *([event.wall] if event.wall else [])])
-        print(f"{event.time:9.4f}  {event.kind:8} {things:24} {speeds(event)}")
+        who = ", ".join([*event.balls, *([event.wall] if event.wall else [])])
+        print(f"{event.time:9.4f}  {event.kind:8} {who:24} {speeds(event)}")
 
 
 def speeds(event: Event) -> str:
