@@ -14,7 +14,7 @@ from physics import World, scenes
 
 from . import report
 from .report import ROOT, Report, duration, figure
-from .timing import TURNS, Cost, in_turns, once, yardstick
+from .timing import PASSES, Cost, in_turns, once, yardstick
 from .workload import (
     BREAK,
     SINGLE,
@@ -157,23 +157,23 @@ def main(arguments: list[str] | None = None) -> int:
         cold, warm = compile_cost(options.effort)
         rows.append(("first batch: compilation", "compiled", cold, 10.0))
         rows.append(("first batch: from the cache", "compiled", warm, 0.6))
-    turn = stick.least / TURNS
+    single = stick.least / PASSES
     page.say(
-        "CPU time: the least and the median of runs taken in turns. A turn is one pass of a fixed"
-        f" loop of complex arithmetic in plain Python, {duration(turn)} here: costs in turns can be"
-        " compared between machines. The targets are for a quiet machine of this kind."
+        "CPU time: the least and the median of runs taken in turns. A pass is one round of a fixed"
+        f" loop of complex arithmetic in plain Python, {duration(single)} here: costs in passes can"
+        " be compared between machines. The targets are for a quiet machine of this kind."
     )
     page.table(
-        ["what", "how", "least", "median", "turns", "target", "met"],
+        ["what", "how", "least", "median", "passes", "target", "met"],
         [
-            [what, how, duration(cost.least), duration(cost.median), figure(cost.least / turn),
+            [what, how, duration(cost.least), duration(cost.median), figure(cost.least / single),
              duration(target), "yes" if cost.least <= target else "no"]
             for what, how, cost, target in rows
         ],
     )  # fmt: skip
     page.data(
-        ["what", "how", "least s", "median s", "turns", "target s"],
-        [[what, how, *cost, cost.least / turn, target] for what, how, cost, target in rows],
+        ["what", "how", "least s", "median s", "passes", "target s"],
+        [[what, how, *cost, cost.least / single, target] for what, how, cost, target in rows],
     )
     page.save()
     return 0

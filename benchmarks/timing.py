@@ -49,14 +49,14 @@ def cost(run: Callable[[], Any], rounds: int) -> Cost:
     return in_turns({"it": run}, rounds)["it"]
 
 
-def yardstick(turns: int = 100_000) -> complex:
-    """A fixed loop of complex arithmetic in Python: costs in its turns outlive the machine."""
+def yardstick(passes: int = 100_000) -> complex:
+    """A fixed loop of complex arithmetic in Python: costs in passes of it outlive the machine."""
     z, c = 0j, 0.3 + 0.4j
-    for k in range(turns):
+    for k in range(passes):
         z = 0.5 * (z + c) * c.conjugate() + k * 1e-9
         if z.real * z.real + z.imag * z.imag > 4.0:
             z = 0j
     return z
 
 
-TURNS = 100_000  # of the yardstick
+PASSES = 100_000  # of the yardstick

@@ -94,8 +94,8 @@ class CueStroke:
         It goes away from the side on which the tip meets it: tip right of the centre, ball left.
         """
         x = self.side
-        level = 1.0 - x * x
-        return heading(complex(1.0 + self.end_ratio + 2.5 * level, 2.5 * x * sqrt(level)))
+        inner = 1.0 - x * x
+        return heading(complex(1.0 + self.end_ratio + 2.5 * inner, 2.5 * x * sqrt(inner)))
 
     def jump(self, ball: Heavy) -> Shot:
         """The same shot with what `shot` leaves out: the cue drives the ball into the cloth.

@@ -44,8 +44,8 @@ def aims(
         else:
             angle = _cut(cue, rng.choice(targets), 2 * radius, rng)
         speed = exp(rng.uniform(log(style.slow), log(style.fast)))
-        out, turn = style.tip * sqrt(rng.random()), tau * rng.random()
-        yield Aim(angle, speed, out * cos(turn), out * sin(turn))
+        out, around = style.tip * sqrt(rng.random()), tau * rng.random()
+        yield Aim(angle, speed, out * cos(around), out * sin(around))
 
 
 def _cut(cue: Place, target: Place, reach: float, rng: Random) -> float:

@@ -10,7 +10,7 @@ from physics import Shot
 
 # Radii off the centre of the ball beyond which a chalked tip slips (friction 0.6: 0.6/√1.36).
 MISCUE = 0.51
-SLOWEST = 0.05  # m/s: an error never turns a stroke into none
+SLOWEST = 0.05  # m/s: an error never makes a stroke none
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ class Aim:
     up: float = 0.0
 
     def shot(self) -> Shot:
-        """The shot it gives: a push at the offset d turns the ball with Rω = 5/2 d v."""
+        """The shot it gives: a push at the offset d spins the ball with Rω = 5/2 d v."""
         spin = 2.5 * self.speed
         return Shot(self.speed, self.angle, follow=spin * self.up, side=spin * self.right)
 
