@@ -1,4 +1,4 @@
-"""What must hold in every world in which balls fly: in space, at many moments; in the ledger."""
+"""What must hold in every world in which balls fly: in space at many moments, and in the ledger."""
 
 from collections.abc import Iterator
 from math import dist, hypot, inf

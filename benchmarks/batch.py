@@ -42,7 +42,7 @@ def cluster() -> Iterator[Executor]:
 
 
 def executors(effort: int) -> dict[str, Callable[[], Any]]:
-    """Who may do the work."""
+    """The executors that may do the work."""
     ways: dict[str, Callable[[], Any]] = {
         "1 thread": lambda: ThreadPoolExecutor(1),
         "2 threads": lambda: ThreadPoolExecutor(2),
@@ -85,12 +85,12 @@ def main(arguments: list[str] | None = None) -> int:
                 wall, cpu, outcomes = once(world, shots, executor, compiled)
                 seen.setdefault(name, []).append((len(shots) / wall, cpu / len(shots)))
                 same &= np.array_equal(outcomes.positions, truth.positions[: len(shots)])
-    tell(page, seen, same)
+    report_ways(page, seen, same)
     page.save()
     return 0 if same else 1
 
 
-def tell(page: Report, seen: dict[str, list[tuple[float, float]]], same: bool) -> None:
+def report_ways(page: Report, seen: dict[str, list[tuple[float, float]]], same: bool) -> None:
     """The table: wall time, since that is what several workers save."""
     base = median(rate for rate, _ in seen["compiled"])
     page.say(

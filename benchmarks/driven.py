@@ -1,4 +1,4 @@
-"""Families in which somebody meddles: bad scenes, steps of every length, pushes, many steps."""
+"""Families in which the caller meddles: bad scenes, steps of all lengths, pushes, many steps."""
 
 from cmath import rect
 from math import inf, pi
@@ -6,7 +6,7 @@ from random import Random
 
 from physics import Ball, Cloth, EventDriven, Shot, World, laws, scenes
 
-from .trials import RADIUS, Fault, Trial, box, engine, push, scatter, world_of
+from .trials import RADIUS, Finding, Trial, box, engine, push, scatter, world_of
 
 
 def rejected(k: int, dice: Random) -> Trial:
@@ -29,9 +29,9 @@ def _expect_refusal(world: World) -> None:
         except ValueError:
             pass
         else:
-            raise Fault("a scene that cannot be was accepted")
+            raise Finding("a scene that cannot be was accepted")
     if [ball.position for ball in world.balls] != before or len(world.log):
-        raise Fault("a refused scene was changed")
+        raise Finding("a refused scene was changed")
     far = 0.1
     for ball in world.balls:  # and once it can be, it must run
         ball.position, far = (far, 0.0), far + 0.1
@@ -56,7 +56,7 @@ def stepped(k: int, dice: Random) -> Trial:
         world.step(1e3)
         ends = [[(ball.position, ball.velocity) for ball in w.balls] for w in (world, whole)]
         if ends[0] != ends[1]:
-            raise Fault("steps end elsewhere than one run")
+            raise Finding("steps end elsewhere than one run")
 
     return Trial(world, drive)
 
@@ -78,15 +78,15 @@ def landing(k: int, dice: Random) -> Trial:
             if len(world.log) == happened:
                 world.run(world.next_event)
             if len(world.log) == happened:
-                raise Fault("run(next_event) does not reach it")
+                raise Finding("run(next_event) does not reach it")
         if [ball.position for ball in world.balls] != [ball.position for ball in whole.balls]:
-            raise Fault("runs from event to event end elsewhere than one run")
+            raise Finding("runs from event to event end elsewhere than one run")
 
     return Trial(world, drive)
 
 
 def agitated(k: int, dice: Random) -> Trial:
-    """Between steps somebody pushes, spins, stops, strikes or moves balls, at any moment."""
+    """Between steps the caller pushes, spins, stops, strikes or moves balls, at any moment."""
     world = world_of(dice)
     scatter(world, dice.randrange(1, 7), dice, alike=k % 2 == 0)
 
@@ -150,14 +150,14 @@ def drift(k: int, dice: Random) -> Trial:
             abs(y - unfolded(0.1 + 0.7 * far, 0.635 - RADIUS)),
         )
         if miss > 1e-9 or world.balls[0].velocity[0] not in (1.3, -1.3):
-            raise Fault(f"after {steps} steps {miss:.2e} m off")
+            raise Finding(f"after {steps} steps {miss:.2e} m off")
         world.log.clear()
 
     return Trial(world, drive)
 
 
 def unfolded(x: float, half: float) -> float:
-    """Where a point is that runs to and fro between -half and half, had it run straight to x."""
+    """Where a point is that runs back and forth between -half and half and has come as far as x."""
     y = (x + half) % (4.0 * half)
     return (y if y < 2.0 * half else 4.0 * half - y) - half
 
@@ -169,6 +169,6 @@ def pi_digits(k: int, dice: Random) -> Trial:
     def drive(world: World) -> None:
         world.run()
         if len(world.log) != int(pi * 10 ** (digits - 1)):
-            raise Fault(f"{len(world.log)} collisions for {digits} digits")
+            raise Finding(f"{len(world.log)} collisions for {digits} digits")
 
     return Trial(scenes.pi_collisions(digits), drive)

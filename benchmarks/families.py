@@ -26,7 +26,7 @@ from .trials import (
 def shots(k: int, dice: Random) -> Trial:
     """Random shots on 1-22 balls, often frozen to others or cushions; all laws, odd walls.
 
-    Nine of ten with a coarse floor, as driven contacts else take most of the time.
+    Nine of ten have a coarse floor, as driven contacts would otherwise take most of the time.
     """
     world = world_of(dice)
     world.engine = engine(1e-3 if k % 10 == 0 else 1e-2)
@@ -93,16 +93,14 @@ def jumps(k: int, dice: Random) -> Trial:
             push(ball, dice, dice.choice((0.3, 3.0)))
         if dice.random() < 0.6:
             room = min(wall.distance(ball.position) - ball.radius for wall in world.walls)
-            if room > 0.005:  # else it may be lifted into a nose
+            if room > 0.005:  # otherwise it may be lifted into a nose
                 ball.height = dice.choice((0.0, dice.uniform(0.0, 0.1)))
             ball.climb = dice.gauss(0.0, 1.2)
     return Trial(world)
 
 
 def frozen(k: int, dice: Random) -> Trial:
-    """A ball that touches a cushion: driven into it, along it, with spin into it; some with a
-    neighbour.
-    """
+    """A ball that touches a cushion: driven into it, along it, with spin; some with a neighbour."""
     world = world_of(dice, walls=False)
     normal = rect(1.0, dice.choice((0.0, 0.5 * pi, dice.uniform(-pi, pi))))
     world.add(Wall.line(normal.real, normal.imag, dice.choice((0.0, 0.7)), "rail"))
@@ -173,9 +171,7 @@ def speeds(k: int, dice: Random) -> Trial:
 
 
 def grazing(k: int, dice: Random) -> Trial:
-    """Past a ball by ± 1e-3 ... 1e-18 of the sum of radii, straight or on a massé's arc, at any
-    angle.
-    """
+    """Past a ball by ± 1e-3 ... 1e-18 of the sum of radii, straight or on an arc, at any angle."""
     world = World(Cloth(), BALL_LAWS[k % len(BALL_LAWS)], engine=engine())
     turn = rect(1.0, dice.choice((0.0, 0.5 * pi, dice.uniform(-pi, pi))))
     off = 2.0 * RADIUS * (1.0 + dice.choice((-1.0, 1.0, 0.0)) * 10.0 ** -dice.randrange(3, 19))
@@ -235,7 +231,7 @@ def scatter_heap(world: World, dice: Random) -> None:
 
 
 def springs(k: int, dice: Random) -> Trial:
-    """What touches in other families, or nearly does, by the law of Hertz; any restitution."""
+    """Touching or nearly touching scenes of other families, by the law of Hertz."""
     trial = (heaps, touching, sandwich, racks, cradles)[k % 5](k // 5, dice)
     e = dice.choice((None, 1.0, 0.9, dice.uniform(0.01, 1.0)))
     trial.world.cluster_law = laws.HertzCluster(e, dice.choice((0.0, 1e-8, 1e-6, 1e-4)))

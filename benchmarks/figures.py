@@ -2,12 +2,7 @@
 
 import csv
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-from .report import duration
-
-if TYPE_CHECKING:
-    from .scale import Size
+from typing import Any
 
 # Okabe and Ito's palette
 BLUE, SKY, GREEN = "#0072B2", "#56B4E9", "#009E73"
@@ -117,30 +112,3 @@ def _work_precision(name: str, scenes: list[str], rows: list[Row], columns: int,
     figure.supxlabel("CPU time for the shot", fontsize=9.5)
     figure.supylabel("error at rest, worst ball", fontsize=9.5)
     save(figure, out, name)
-
-
-def scale(sizes: "list[Size]", out: Path) -> None:
-    """Cost of an event and of a shot over the number of balls."""
-    figure, (left, right) = pyplot().subplots(1, 2, figsize=(8.6, 3.5), layout="constrained")
-    balls = [s.balls for s in sizes]
-    lines: tuple[tuple[Any, str, str, str, str], ...] = (
-        (left, "program_event", GREY, "X", "thesis's program"),
-        (left, "event", BLUE, "o", "exact, interpreted"),
-        (left, "compiled_event", SKY, "P", "exact, compiled"),
-        (right, "shot", BLUE, "o", "exact, interpreted"),
-        (right, "compiled_shot", SKY, "P", "exact, compiled"),
-    )
-    for axes, name, colour, marker, label in lines:
-        times = [getattr(s, name) for s in sizes]
-        axes.plot(balls, times, color=colour, marker=marker, ms=5, lw=1.4, label=label)
-    left.set(title="An event in a gas of discs", ylabel="CPU time")
-    right.set(title="A shot among balls at rest", ylabel="CPU time")
-    for axes in (left, right):
-        axes.set(xscale="log", yscale="log", xlabel="balls")
-        low, high = axes.get_ylim()
-        ticks = [t for t in (10.0**k for k in range(-7, 2)) if low <= t <= high]
-        axes.set_yticks(ticks, [duration(t) for t in ticks])
-        axes.set_xticks([1, 10, 100, 1000, 10000], ["1", "10", "100", "1 000", "10 000"])
-        axes.minorticks_off()
-    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=3)
-    save(figure, out, "scale")

@@ -1,6 +1,6 @@
 """What a frame of the game costs: moving and idle, drawing what changed or all; and the start.
 
-Without a window: SDL's dummy driver takes the pictures, so the cost of showing them is not in here.
+Without a window: SDL's dummy driver takes the pictures, so the cost of showing them is left out.
 """
 
 import os
@@ -54,7 +54,7 @@ def application(frames: int | None, real: bool = False) -> Any:
 
 
 def play(frames: int, everything: bool) -> Pass:
-    """So many frames, with everything drawn anew in each or only what changed."""
+    """Run that many frames, drawing everything in each or only what changed."""
     import pygame
 
     app = application(frames)
@@ -145,7 +145,7 @@ def start_up(rounds: int) -> tuple[float, float]:
 
 
 def unused() -> list[str]:
-    """What is heavy, and loaded or opened by the first frame: there should be none."""
+    """Heavy modules and devices in use by the first frame: there should be none."""
     code = (
         "import sys; from game.__main__ import main; main(['--frames', '1']); import pygame;"
         "print(*sorted({'numba', 'matplotlib', 'dask', 'mpmath'} & set(sys.modules)),"
@@ -188,8 +188,8 @@ def main(arguments: list[str] | None = None) -> int:
     moving = min(short - 10, max(k for k, drawn in enumerate(passes[0].shown) if drawn) + 1)
     page.say(
         f"The README's shot on the medium table, 1280 × 720, {frames} frames at 60 a second without"
-        f" a window; balls move till frame {moving}. CPU time, frame by frame the least of {rounds}"
-        " runs. A frame at 60 Hz has 16.7 ms."
+        f" a window; balls move until frame {moving}. CPU time, frame by frame the least of"
+        f" {rounds} runs. A frame at 60 Hz has 16.7 ms."
     )
     page.table(["what", "when", "median", "worst"], rows_of(passes, whole, moving))
     page.say(

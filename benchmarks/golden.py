@@ -1,8 +1,8 @@
 """The outcome of every scene and of 150 shots, to the last bit: `--write` renews tests/golden.json.
 
-Every machine gives the same bits (docs/physics.md, "The same digits everywhere"), unless its Python
-was built to fuse the product and the sum in a complex product: there positions must agree to a
-tolerance, the events of each scene in number.
+Every machine gives the same bits (docs/accuracy.md, "The same digits everywhere"), unless its
+Python was built to fuse the product and the sum in a complex product: there positions must agree to
+a tolerance, the events of each scene in number.
 """
 
 import argparse
@@ -82,7 +82,7 @@ def digests() -> list[str]:
 
 
 def fused() -> bool:
-    """Was this Python built to fuse the complex product?  clang does so for ARM if not told."""
+    """Was this Python built to fuse the complex product?  clang does so for ARM by default."""
     z = 0.1 + 0.3j
     return (z * z.conjugate()).imag != 0.0
 
@@ -101,7 +101,7 @@ def difference(name: str, golden: dict[str, Any]) -> float:
 
 
 def tolerance(name: str) -> float:
-    """Nothing; where products are fused, what the hits leave."""
+    """The distance allowed: none, or where products are fused, what hits make of rounding."""
     if not fused():
         return 0.0
     return NEAR_BREAK if name == "rack15" else NEAR
@@ -113,7 +113,7 @@ def read() -> dict[str, Any]:
 
 
 def write() -> None:
-    """Take what comes out now as golden."""
+    """Make the present outcome the golden one."""
     golden = {"scenes": {name: outcome(name) for name in scenes.SCENES}, "shots": digests()}
     FILE.write_text(json.dumps(golden, indent=1) + "\n", encoding="utf-8")
 

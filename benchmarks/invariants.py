@@ -1,5 +1,4 @@
-"""What must hold in every world at every event, read from its log: a list of faults, empty if all
-does.
+"""What must hold in every world at every event, read from its log: a list of faults.
 
 Between events the motion is polynomial, so gaps are checked over whole intervals, not at samples:
 the gap of two balls is never less than its projection on any line, a quadratic whose minimum is
@@ -23,21 +22,26 @@ BLOWS = 16  # of a contact within one event of a cluster, that the floor may hav
 CREATIVE = (laws.ThesisCushion, laws.CappedCushion)  # push as if the ball rolled: make energy
 
 
-class Motion(NamedTuple):
-    """Balls on their legs from each instant on: arrays (instants, balls), complex, m and s."""
+class Intervals(NamedTuple):
+    """Balls on their legs from each instant on.
+
+    times: s, (instants,).
+    place, velocity, acceleration: (instants, balls), complex, m and s.
+    lasts: s until the next instant, (instants,).
+    """
 
     times: Any
     place: Any
     velocity: Any
     acceleration: Any
-    lasts: Any  # s, (instants,): till the next instant
+    lasts: Any
 
 
 def faults(world: World, pushed: bool = False) -> list[str]:
     """Everything that is wrong with what has happened in a world, in words.
 
-    pushed: somebody has pushed balls on the way, perhaps at the instant of an event; then only what
-    each event says of itself is checked for energy.
+    pushed: whether balls were pushed on the way, perhaps at the instant of an event; then energy is
+    checked only within each event.
     """
     legs = [_table(world.log.legs(ball.name)) for ball in world.balls]
     if not all(np.isfinite(column).all() for leg in legs for column in leg):
@@ -82,7 +86,7 @@ def _epoch_faults(world: World, legs: list[Legs], epoch: float, pushed: bool) ->
 
 
 def _part(leg: Legs, epoch: float) -> Legs:
-    """A ball's legs of an epoch; till the first of them it lies still on the last before."""
+    """A ball's legs of an epoch; until the first of them it lies still on the last before."""
     mine = leg.of(leg.epoch == epoch)
     k = int(np.searchsorted(leg.epoch, epoch)) - 1
     if k < 0 or (len(mine.epoch) and mine.since[0] == 0.0):
@@ -91,7 +95,7 @@ def _part(leg: Legs, epoch: float) -> Legs:
     return Legs(*(np.concatenate(pair) for pair in zip(still, mine, strict=True)))
 
 
-def _motion(parts: list[Legs], times: Any, end: float) -> Motion:
+def _motion(parts: list[Legs], times: Any, end: float) -> Intervals:
     columns = []
     for part in parts:
         k = np.maximum(np.searchsorted(part.since, times, side="right") - 1, 0)
@@ -99,7 +103,7 @@ def _motion(parts: list[Legs], times: Any, end: float) -> Motion:
         t, v, a = times - leg.since, leg.velocity, leg.acceleration
         columns.append((leg.place + t * (v + 0.5 * t * a), v + t * a, a))
     place, velocity, acceleration = (np.array(column).T for column in zip(*columns, strict=True))
-    return Motion(times, place, velocity, acceleration, np.diff(times, append=end))
+    return Intervals(times, place, velocity, acceleration, np.diff(times, append=end))
 
 
 def lowest(gap: Any, speed: Any, bend: Any, lasts: Any) -> Any:
@@ -112,7 +116,7 @@ def lowest(gap: Any, speed: Any, bend: Any, lasts: Any) -> Any:
     return np.where((bend > 0.0) & (turn > 0.0) & (turn < lasts), np.minimum(low, dip), low)
 
 
-def _wall_faults(world: World, motion: Motion) -> list[str]:
+def _wall_faults(world: World, motion: Intervals) -> list[str]:
     found = []
     radii = np.array([ball.radius for ball in world.balls])
     for wall in world.walls:
@@ -122,7 +126,7 @@ def _wall_faults(world: World, motion: Motion) -> list[str]:
             gap, (inward * motion.velocity).real, (inward * motion.acceleration).real,
             motion.lasts[:, None],
         )  # fmt: skip
-        allowed = np.minimum(gap[0], 0.0) - OVERLAP  # as it was put
+        allowed = np.minimum(gap[0], 0.0) - OVERLAP  # as it was placed
         for k, i in zip(*np.nonzero(low < allowed), strict=True):
             found.append(
                 f"ball {world.balls[i].name} is {-low[k, i]:.2e} m outside {wall.name or wall}"
@@ -131,7 +135,7 @@ def _wall_faults(world: World, motion: Motion) -> list[str]:
     return found[:3]
 
 
-def _pair_faults(world: World, motion: Motion) -> list[str]:
+def _pair_faults(world: World, motion: Intervals) -> list[str]:
     n = len(world.balls)
     if n < 2:
         return []
@@ -198,7 +202,7 @@ def _named(world: World, odd: Any, times: Any, epoch: float, faults: tuple[Any, 
         happened.setdefault(event.time, []).append(event)
     found = []
     for k in odd:
-        events = happened.get(epoch + float(times[k]), [])  # none if somebody pushed
+        events = happened.get(epoch + float(times[k]), [])  # none if a ball was pushed
         kinds = {event.kind for event in events}
         lent = sum(_lightest(world, event) * _floor(world, event) for event in events)
         bound = 0.5 * BLOWS * lent
@@ -227,7 +231,7 @@ def _hop(world: World, event: Event) -> float:
 
 
 def _floor(world: World, event: Event) -> float:
-    """The square of the speed at which things may part whatever the law says: what it lends."""
+    """The square of the speed at which things may part under any law: what it lends."""
     lent = 2.0 * world.cloth.slide * world.cloth.gravity * _hop(world, event)
     return max(world.engine.vmin**2, lent)
 
@@ -251,7 +255,7 @@ def _states(parts: list[Legs], radius: Any, fade: float, times: Any, side: Any) 
 
 
 def _creates(world: World, kinds: set[str]) -> bool:
-    """Laws of the thesis may make energy, and a law from outside what it likes."""
+    """Laws of the thesis may make energy, and a custom law may do anything."""
     cushion = isinstance(world.cushion_law, CREATIVE) and "cushion" in kinds
     return cushion or (isinstance(world.ball_law, laws.ThesisBall) and "ball" in kinds)
 
@@ -277,7 +281,7 @@ def _turn(mass: Any, radius: Any, state: list[Any]) -> Any:
 
 
 def _event_faults(world: World, events: Iterable[Event]) -> list[str]:
-    """What is wrong with what events say of themselves; a cluster shares its loss among them."""
+    """What is wrong within single events; a cluster shares its loss among them."""
     heaviest = max((ball.mass for ball in world.balls), default=0.0)
     found, last = [], -inf
     for event in events:

@@ -82,5 +82,5 @@ def cutter(rate: int) -> Callable[[Cut], complex]:
 def peers() -> list[Peer]:
     name = f"pymunk {version('pymunk')}"
     found = [Peer(f"{name}, 1/{rate} s", player(rate, True), cutter(rate)) for rate in STEPS]
-    # how much of that is the function in Python
+    # to show how much of that is the function in Python
     return [*found, Peer(f"{name}, 1/{STEPS[0]} s, on ice", player(STEPS[0], False), None)]

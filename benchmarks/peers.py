@@ -113,7 +113,7 @@ def own() -> list[Peer]:
 
 
 def others() -> tuple[list[Peer], list[str]]:
-    """(the peers that are installed, what to say of the others)."""
+    """(the peers that are installed, sentences about the others)."""
     found, missing = [], []
     for module, package in (("pymunk", "'.[peers]'"), ("pooltool", "pooltool-billiards")):
         if find_spec(module):
@@ -135,7 +135,7 @@ def timed(peers: list[Peer], effort: int) -> dict[str, dict[str, Cost]]:
         world.run()
         runs = {peer.name: peer.play(make, world.time) for peer in peers}
         for run in runs.values():
-            run()  # nothing is loaded or compiled on the clock
+            run()  # so that loading and compiling are not timed
         costs[scene] = in_turns(runs, (1, 3, 7)[effort])
         for name, shots in SHOTS.items():
             costs[scene][name] = costs[scene][name].per(shots)

@@ -1,4 +1,4 @@
-"""What every benchmark prints and keeps: tables as Markdown and CSV, and where they are from."""
+"""What every benchmark prints and keeps: tables as Markdown and CSV, and their provenance."""
 
 import argparse
 import csv
@@ -35,7 +35,7 @@ def options(name: str, purpose: str | None, arguments: list[str] | None) -> argp
 
 
 def place(text: str) -> Path:
-    """A path, which "" is not: Path takes it for the folder that one is in."""
+    """A path that is not empty: Path takes "" for the current folder."""
     if not text.strip():
         raise argparse.ArgumentTypeError(f"must not be empty: {text!r}")
     return Path(text)

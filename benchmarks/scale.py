@@ -3,12 +3,14 @@
 from collections.abc import Callable
 from functools import partial
 from math import inf, nan
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from physics import Shot, World, simulate
 
 from . import report
 from .crowds import field, gas, program
+from .figures import BLUE, GREY, SKY, pyplot, save
 from .report import Report, duration
 from .timing import once
 
@@ -36,7 +38,7 @@ class Size(NamedTuple):
 
 
 def advance_for(world: World, events: int) -> int:
-    """Let the gas go on for about so many events; returns how many there were."""
+    """Let the gas go on for about that many events; returns how many there were."""
     before = len(world.log)
     while len(world.log) - before < events:
         world.run(world.time + 0.05 * max(1.0, events / len(world.balls)) / 20.0)
@@ -55,7 +57,7 @@ def event_cost(balls: int, effort: int) -> tuple[float, float]:
         scene = packed(world.scene)
         seconds, done = spent(partial(advance_for, world, events))
         best = min(best, seconds / done)
-        advance(0.0, 0, scene)  # so that nothing is loaded on the clock
+        advance(0.0, 0, scene)  # so that loading is not timed
         seconds, (done, _) = spent(partial(advance, world.time, 10**9, scene))
         best_compiled = min(best_compiled, seconds / done)
     return best, best_compiled
@@ -107,6 +109,33 @@ def measure(balls: int, effort: int) -> Size:
     )
 
 
+def draw(sizes: list[Size], out: Path) -> None:
+    """Cost of an event and of a shot over the number of balls."""
+    figure, (left, right) = pyplot().subplots(1, 2, figsize=(8.6, 3.5), layout="constrained")
+    balls = [s.balls for s in sizes]
+    lines: tuple[tuple[Any, str, str, str, str], ...] = (
+        (left, "program_event", GREY, "X", "thesis's program"),
+        (left, "event", BLUE, "o", "exact, interpreted"),
+        (left, "compiled_event", SKY, "P", "exact, compiled"),
+        (right, "shot", BLUE, "o", "exact, interpreted"),
+        (right, "compiled_shot", SKY, "P", "exact, compiled"),
+    )
+    for axes, name, colour, marker, label in lines:
+        times = [getattr(s, name) for s in sizes]
+        axes.plot(balls, times, color=colour, marker=marker, ms=5, lw=1.4, label=label)
+    left.set(title="An event in a gas of discs", ylabel="CPU time")
+    right.set(title="A shot among balls at rest", ylabel="CPU time")
+    for axes in (left, right):
+        axes.set(xscale="log", yscale="log", xlabel="balls")
+        low, high = axes.get_ylim()
+        ticks = [t for t in (10.0**k for k in range(-7, 2)) if low <= t <= high]
+        axes.set_yticks(ticks, [duration(t) for t in ticks])
+        axes.set_xticks([1, 10, 100, 1000, 10000], ["1", "10", "100", "1 000", "10 000"])
+        axes.minorticks_off()
+    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+    save(figure, out, "scale")
+
+
 def main(arguments: list[str] | None = None) -> int:
     options = report.options("scale", __doc__, arguments)
     page = Report("scale", "Cost against the number of balls", options.out)
@@ -132,8 +161,6 @@ def main(arguments: list[str] | None = None) -> int:
         ],
     )  # fmt: skip
     page.data(Size._fields, sizes)
-    from .figures import scale
-
-    scale(sizes, options.out)
+    draw(sizes, options.out)
     page.save()
     return 0

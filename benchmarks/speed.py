@@ -14,7 +14,7 @@ from physics import World, scenes
 
 from . import report
 from .report import ROOT, Report, duration, figure
-from .timing import TURNS, Cost, in_turns, once, yardstick
+from .timing import PASSES, Cost, in_turns, once, yardstick
 from .workload import (
     BREAK,
     SINGLE,
@@ -31,7 +31,7 @@ Row = tuple[str, str, Cost, float]  # what, how, cost, target in seconds
 
 
 def children(arguments: list[str], bytecode: Path) -> float:
-    """CPU seconds of this Python run with these arguments, its bytecode kept in that folder."""
+    """CPU seconds of Python run with these arguments, its bytecode kept in that folder."""
     env = {**os.environ, "PYTHONPYCACHEPREFIX": str(bytecode), "PYTHONDONTWRITEBYTECODE": ""}
     before = getrusage(RUSAGE_CHILDREN)
     subprocess.run([sys.executable, *arguments], cwd=ROOT, env=env, check=True)
@@ -66,7 +66,7 @@ def shots_table(effort: int) -> tuple[list[Row], Cost]:
     }
     for name in runs:
         if name.startswith("compiled"):
-            runs[name]()  # so that nothing is loaded or compiled on the clock
+            runs[name]()  # so that loading and compiling are not timed
     cost = in_turns(runs, (2, 5, 15)[effort])
     fan_events = play_fan(world, fan(directions)) / directions
     carom = f"carom shot, 4 balls, mean of {directions} directions ({fan_events:.1f} events)"
@@ -93,7 +93,7 @@ def _events(make: Callable[[], World]) -> int:
 
 
 def worst_frame(effort: int) -> Cost:
-    """The dearest 60-Hz frame of the break: the least of several runs, frame by frame."""
+    """The most expensive 60-Hz frame of the break: the least of several runs, frame by frame."""
     frames, runs = 60, []
     for _ in range((2, 5, 20)[effort]):
         world = break_shot()
@@ -157,23 +157,23 @@ def main(arguments: list[str] | None = None) -> int:
         cold, warm = compile_cost(options.effort)
         rows.append(("first batch: compilation", "compiled", cold, 10.0))
         rows.append(("first batch: from the cache", "compiled", warm, 0.6))
-    turn = stick.least / TURNS
+    single = stick.least / PASSES
     page.say(
-        "CPU time: the least and the median of runs taken in turns. A turn is one pass of a fixed"
-        f" loop of complex arithmetic in plain Python, {duration(turn)} here: costs in turns can be"
-        " compared between machines. The targets are for a quiet machine of this kind."
+        "CPU time: the least and the median of runs taken in turns. A pass is one round of a fixed"
+        f" loop of complex arithmetic in plain Python, {duration(single)} here: costs in passes can"
+        " be compared between machines. The targets are for a quiet machine of this kind."
     )
     page.table(
-        ["what", "how", "least", "median", "turns", "target", "met"],
+        ["what", "how", "least", "median", "passes", "target", "met"],
         [
-            [what, how, duration(cost.least), duration(cost.median), figure(cost.least / turn),
+            [what, how, duration(cost.least), duration(cost.median), figure(cost.least / single),
              duration(target), "yes" if cost.least <= target else "no"]
             for what, how, cost, target in rows
         ],
     )  # fmt: skip
     page.data(
-        ["what", "how", "least s", "median s", "turns", "target s"],
-        [[what, how, *cost, cost.least / turn, target] for what, how, cost, target in rows],
+        ["what", "how", "least s", "median s", "passes", "target s"],
+        [[what, how, *cost, cost.least / single, target] for what, how, cost, target in rows],
     )
     page.save()
     return 0

@@ -100,7 +100,7 @@ def rows(shots: int) -> Iterator[str]:
         (f"{scheme}, dt = 1/{1 / dt:.0f} s", TimeStepping(dt, scheme))
         for scheme in SCHEMES
         for dt in STEPS
-        if scheme != "literal" or dt == STEPS[1]  # the printed program has a step of its own
+        if scheme != "literal" or dt == STEPS[1]  # the printed program has its own step
     ]
     for name, engine in engines:
         damage = Damage()

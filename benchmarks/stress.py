@@ -1,4 +1,4 @@
-"""Scenes made to break the engine, by families; what fails is printed with how to see it again."""
+"""Scenes made to break the engine, by families; failures are printed with how to repeat them."""
 
 import argparse
 import re

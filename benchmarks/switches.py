@@ -102,7 +102,7 @@ def without_reach(package: Package) -> None:
 
 
 def without_memory(package: Package) -> None:
-    """After an event every ball is planned anew, not only those that it touched."""
+    """After an event every ball is planned again, not only those that it touched."""
     calendar, happen = package.calendar, package.calendar.happen
 
     def replan(i: int, scene: Any) -> Any:
@@ -117,7 +117,7 @@ def without_memory(package: Package) -> None:
 
 
 def without_table(package: Package) -> None:
-    """Who loses a partner asks everybody again."""
+    """A ball that loses its partner asks all others again."""
     contact, sooner = package.contact, package.grid.sooner
 
     def appoint(j: int, i: int, when: float, balls: Any, meetings: Any) -> None:
@@ -154,7 +154,7 @@ def with_rubbing(package: Package) -> None:
 
 
 def with_spin_events(package: Package) -> None:
-    """The end of a spin about the vertical is an event, after which its ball is planned anew."""
+    """The end of a spin about the vertical is an event, after which its ball is planned again."""
     calendar = package.calendar
 
     def fades(ball: Any, cloth: Any) -> float:
@@ -191,7 +191,7 @@ class Switch(NamedTuple):
 
 
 def everything(package: Package) -> None:
-    """The long way in all that the table of meetings is for."""
+    """The long way in everything that the table of meetings is for."""
     for off in (without_boxes, without_rest, without_sign, without_reach, without_memory):
         off(package)
 
@@ -201,7 +201,7 @@ SWITCHES = (
     Switch("pairs at rest", without_rest),
     Switch("sign before root", without_sign),
     Switch("only cushions within reach", without_reach),
-    Switch("only touched balls planned anew", without_memory),
+    Switch("only touched balls planned again", without_memory),
     Switch("table of meetings", without_table),
     Switch("clusters only where a third ball touches", with_clusters),
     Switch("no event where a spin ends", with_spin_events),

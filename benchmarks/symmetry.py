@@ -15,7 +15,7 @@ from random import Random
 
 from physics import Ball, Wall, World, scenes
 
-from .trials import Fault, Trial, push, scatter, world_of
+from .trials import Finding, Trial, push, scatter, world_of
 
 ORDER, HOUR, TURN = 2, 3, 4
 Image = Callable[[complex], complex]
@@ -95,4 +95,4 @@ def compare(world: World, other: World, of: Image, tolerance: float) -> None:
     for ball in world.balls:
         p, q = of(complex(*ball.position)), complex(*other.ball(ball.name).position)
         if abs(p - q) > tolerance:
-            raise Fault(f"ball {ball.name} is {abs(p - q):.2e} m from its image")
+            raise Finding(f"ball {ball.name} is {abs(p - q):.2e} m from its image")

@@ -14,7 +14,7 @@ class Cost(NamedTuple):
     median: float
 
     def per(self, parts: float) -> "Cost":
-        """The cost of one of so many equal parts."""
+        """The cost of one of that many equal parts."""
         return Cost(self.least / parts, self.median / parts)
 
 
@@ -26,9 +26,9 @@ def once(run: Callable[[], Any]) -> float:
 
 
 def in_turns(runs: dict[str, Callable[[], Any]], rounds: int) -> dict[str, Cost]:
-    """The cost of each, all run once in every round: what slows the machine slows them alike.
+    """The cost of each run, all once in every round: a busy machine slows them alike.
 
-    Each round begins with another one, since the first finds cold caches.
+    Each round begins with a different one, since the first finds cold caches.
     """
     order = list(runs)
     seen: dict[str, list[float]] = {name: [] for name in runs}
@@ -49,14 +49,14 @@ def cost(run: Callable[[], Any], rounds: int) -> Cost:
     return in_turns({"it": run}, rounds)["it"]
 
 
-def yardstick(turns: int = 100_000) -> complex:
-    """A fixed loop of complex arithmetic in Python: costs in its turns outlive the machine."""
+def yardstick(passes: int = 100_000) -> complex:
+    """A fixed loop of complex arithmetic in Python: costs in passes of it outlive the machine."""
     z, c = 0j, 0.3 + 0.4j
-    for k in range(turns):
+    for k in range(passes):
         z = 0.5 * (z + c) * c.conjugate() + k * 1e-9
         if z.real * z.real + z.imag * z.imag > 4.0:
             z = 0j
     return z
 
 
-TURNS = 100_000  # of the yardstick
+PASSES = 100_000  # of the yardstick

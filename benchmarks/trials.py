@@ -1,5 +1,4 @@
-"""What a stress family is made of: a trial is a world and what is done to it; and dice to throw
-one.
+"""What a stress family is made of: trials, a world and what is done to it, and dice for them.
 """
 
 from cmath import rect
@@ -17,16 +16,16 @@ BUDGET = 100_000  # events: contacts that are driven touch 1 000 times a second
 RADIUS = 0.03275
 
 
-class Fault(Exception):  # noqa: N818 - it is a finding, no error
+class Finding(Exception):  # noqa: N818 - it is a finding, no error
     """What a drive saw go wrong."""
 
 
 class Trial(NamedTuple):
-    """A world, and what is done to it before the log is checked: to rest, unless told otherwise."""
+    """A world, and what is done to it before the log is checked: by default it runs to rest."""
 
     world: World
     drive: Callable[[World], None] = World.run
-    pushed: bool = False  # on the way, by somebody
+    pushed: bool = False  # on the way, by the caller
 
 
 Family = Callable[[int, Random], Trial]
@@ -39,7 +38,7 @@ def outcome(trial: Trial) -> tuple[list[str], int]:
         trial.drive(world)
     except EventBudgetError as error:
         return [str(error)], len(world.log)
-    except (Fault, ValueError, ArithmeticError) as error:
+    except (Finding, ValueError, ArithmeticError) as error:
         return [f"{type(error).__name__}: {error}"], len(world.log)
     found = aloft.faults(world) if aloft.flew(world) else faults(world, trial.pushed)
     return found, len(world.log)
@@ -97,7 +96,7 @@ def apart(world: World, ball: Ball, new: Ball) -> float:
 
 
 def gap(ball: Ball, world: World) -> float:
-    """From a ball to whatever is nearest in its world, metres."""
+    """From a ball to the nearest thing in its world, metres."""
     p = complex(*ball.position)
     near = min((wall.distance((p.real, p.imag)) - ball.radius for wall in world.walls), default=inf)
     return min(

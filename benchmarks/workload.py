@@ -80,7 +80,7 @@ def truth(make: Callable[[], World], times: Sequence[float] = TIMES) -> Truth:
 
 
 def along(world: World, times: Sequence[float], rests: float) -> list[Positions]:
-    """Where the balls are at each time of a run; what never rests stops at `rests`."""
+    """Where the balls are at each time of a run; one that never rests stops at `rests`."""
     never = isinstance(world.engine, TimeStepping) and world.engine.scheme == "literal"
     places = []
     for time in times:

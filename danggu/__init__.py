@@ -29,5 +29,5 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    """What there is for everybody, loaded or not, so that completion finds it."""
+    """All public names, loaded or not, so that completion finds them."""
     return [*__getattr__("__all__"), "__version__"]

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 
-# loaded when first asked for: who only wants a world waits for nothing else
+# loaded on first use: a program that only wants a world waits for nothing else
 MODULES = {
     "ledger": "studies.ledger", "scenes": "scenes", "store": "files.store", "tables": "tables",
 }  # fmt: skip
@@ -49,7 +49,7 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    """What there is for everybody, loaded or not, so that completion finds it."""
+    """All public names, loaded or not, so that completion finds them."""
     return [*__all__, "__version__"]
 
 

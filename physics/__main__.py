@@ -1,4 +1,4 @@
-"""From the command line: `scene` plays a scene and tells of it, `sweep` plays many shots in it."""
+"""From the command line: `scene` plays a scene and prints it, `sweep` plays many shots in it."""
 
 import argparse
 import csv
@@ -66,7 +66,7 @@ def refuse(message: str) -> int:
 
 
 def idle(options: argparse.Namespace) -> str:
-    """Say which option would do nothing, or what no computer can do, or ""."""
+    """What would do nothing, or what no computer can do, in words; "" if there is nothing."""
     engines = {options.engine, getattr(options, "against", None)} - {None, "exact"}
     if options.dt is not None and not engines:
         return f"--dt {options.dt:g}: needs --engine {', '.join(SCHEMES)}"
@@ -86,14 +86,14 @@ def idle(options: argparse.Namespace) -> str:
     return ""
 
 
-class Parser(commandline.Parser):
+class Refusing(commandline.Parser):
     def error(self, message: str) -> NoReturn:
         self.exit(refuse(message))
 
 
 def parser() -> argparse.ArgumentParser:
     """The options."""
-    commands = Parser(prog="python -m physics", description="Billiards, exact.")
+    commands = Refusing(prog="python -m physics", description="Billiards, exact.")
     sub = commands.add_subparsers(dest="command", required=True, metavar="scene or sweep")
     one = sub.add_parser("scene", help="play a scene and print what happens")
     many = sub.add_parser("sweep", help="play many shots in a scene, each from its beginning")
@@ -123,7 +123,7 @@ def set_laws(world: World, name: str | None) -> None:
 
 
 def scene(start: World, options: argparse.Namespace) -> int:
-    """Play it and write what is wanted."""
+    """Play the scene and write what was asked for."""
     other = start.copy() if options.against else None
     dt = STEP if options.dt is None else options.dt
     world = played(start, options.engine, dt, options.until)
@@ -138,7 +138,7 @@ def scene(start: World, options: argparse.Namespace) -> int:
 
 
 def chosen(engine: str, dt: float) -> EventDriven | TimeStepping:
-    """By its name."""
+    """The engine of that name."""
     return EventDriven() if engine == "exact" else TimeStepping(dt, engine)
 
 
@@ -151,7 +151,7 @@ def played(world: World, engine: str | None, dt: float, until: float) -> World:
 
 
 def word(engine: str | None) -> str:
-    """For people: every scene is exact by itself."""
+    """The engine's name for people; every scene is exact unless an engine is given."""
     return WORDS.get(engine or "exact", f"{engine}")
 
 

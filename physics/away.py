@@ -1,4 +1,4 @@
-"""How far a ball gets from a cushion before it meets it again, exactly: its legs are parabolas."""
+"""How far a ball gets from a cushion before it meets it again: exact, as legs are parabolas."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -16,7 +16,7 @@ KIND, WALL, BALL, LEG = 2, 3, 4, 5  # in an event
 class Departures:
     """For every event the greatest gap, m, between ball and cushion since they last touched.
 
-    Each is worked out once, when it is first asked for: rules ask for all of them again and again.
+    Each is computed once, on first use: rules ask for all of them again and again.
     """
 
     def __init__(self) -> None:
@@ -37,7 +37,7 @@ class Departures:
         return self._gaps[event]
 
     def clear(self) -> None:
-        """Events or legs are no longer what they were."""
+        """Forget all gaps: events or legs have changed."""
         self._gaps.clear()
         self._met.clear()
 

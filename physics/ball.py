@@ -13,15 +13,19 @@ from .kernel.leg import aloft, begin, carry, moved, place, risen
 from .kernel.motion import STILL
 from .kernel.tilt import touching_distance
 
-DISTURBED = -1  # the phase of a ball that somebody has touched and no engine has looked at yet
+DISTURBED = -1  # the phase of a ball that was changed and that no engine has looked at yet
 NOWHERE = Felt(0.0, 0.0, 0.0)  # the cloth under a ball that is in no world yet
 
 
 class Placed(NamedTuple):
     """How a ball lies or moves, to the last digit; with a place alone, it lies still there.
 
-    position m and velocity m/s as complex numbers, roll = -i R ω and side = R ω_z m/s, height m
-    (below zero: off the table), climb m/s.
+    position: m, as a complex number.
+    velocity: m/s, as a complex number.
+    roll: -i R ω, m/s.
+    side: R ω_z, m/s.
+    height: m above the cloth; below zero, off the table.
+    climb: velocity upward, m/s.
     """
 
     position: complex
@@ -44,8 +48,8 @@ class Clock:
         self.epoch = 0.0
         self.now = 0.0
         self.cloth = cloth
-        self.disturbed = True  # has somebody put or pushed a ball?
-        self.moved = True  # has somebody put one where it might not fit?
+        self.disturbed = True  # has a ball been placed or pushed?
+        self.moved = True  # has one been placed where it might not fit?
         self.loose = False  # may balls overlap, because fixed steps have left them so?
 
     def copy(self) -> "Clock":
@@ -63,13 +67,13 @@ class Clock:
         self.epoch, self.now = self.epoch + self.now, 0.0
 
     def settle(self, radius: float, first: bool) -> None:
-        """One more ball is on the cloth: the smallest says what counts as still."""
+        """One more ball is on the cloth: the smallest decides what counts as still."""
         still = STILL * radius
         if first or still < self.cloth.still:
             self.cloth = replace(self.cloth, still=still)
 
     def assign(self, other: "Clock") -> None:
-        """Show what the other one shows."""
+        """Take over the moment and the cloth of another clock."""
         for name in Clock.__slots__:
             setattr(self, name, getattr(other, name))
 
@@ -97,7 +101,7 @@ class Ball:
     ) -> None:
         self._name = name
         self.put = True
-        """Has it been put somewhere since its world last checked that all fits?"""
+        """Has it been placed since its world last checked that all fits?"""
         self._clock = Clock(NOWHERE)
         radius = positive(f"ball {name!r}: radius", radius)
         self._body = Body(radius, sizable(f"ball {name!r}: mass", mass), lift=radius)
@@ -110,7 +114,7 @@ class Ball:
 
     @property
     def name(self) -> str:
-        """By which its world knows it."""
+        """The name by which its world knows it."""
         return self._name
 
     @property
@@ -141,7 +145,7 @@ class Ball:
         x, y = vector(f"ball {self.name!r}: position", value, 2)
         body = self.disturb()
         body.position = complex(x, y)
-        body.height = max(0.0, body.height)  # that had left the table is put back on it
+        body.height = max(0.0, body.height)  # a ball off the table is put back on it
         self._clock.moved = self.put = True
 
     @property
@@ -189,8 +193,8 @@ class Ball:
     @property
     def spin(self) -> tuple[float, float, float]:
         """(wx, wy, wz), rad/s."""
-        radius, (_, _, roll, side) = self._body.radius, self._moved()
-        return -roll.imag / radius, roll.real / radius, side / radius
+        r, (_, _, roll, side) = self._body.radius, self._moved()
+        return 0.0 - roll.imag / r, 0.0 + roll.real / r, 0.0 + side / r  # no zero shows a sign
 
     @spin.setter
     def spin(self, value: Sequence[float]) -> None:
@@ -204,9 +208,9 @@ class Ball:
 
         In flight "airborne"; "off" when it has left the table over a cushion.
 
-        Assigned "rolling", the ball turns as its velocity wants; "resting", it stops, and keeps its
-        spin about the vertical; "sliding" is refused of a ball whose velocity and spin agree, and
-        all three of a ball that is not on the cloth.
+        Assigning "rolling" gives the ball the spin of its velocity; "resting" stops it, but for its
+        spin about the vertical; "sliding" is refused if its velocity and spin agree, and all three
+        if the ball is not on the cloth.
         """
         return self._does().name
 
@@ -251,7 +255,7 @@ class Ball:
 
     @property
     def placed(self) -> Placed:
-        """How it lies or moves now; assigned, it does so again, and nothing is checked."""
+        """How it lies or moves now; assigning restores it, and nothing is checked."""
         body = twin(self._body)
         if body.phase != DISTURBED:
             carry(body, self._clock.now, self._clock.cloth)
@@ -264,7 +268,7 @@ class Ball:
             setattr(body, name, number)
 
     def disturb(self) -> Body:
-        """The record at this very moment, to be changed: the engine will plan it anew."""
+        """The record at this very moment, to be changed: the engine will plan it again."""
         body = self._body
         if body.phase != DISTURBED:
             carry(body, self._clock.now, self._clock.cloth)
@@ -282,7 +286,7 @@ class Ball:
         return self._body
 
     def join(self, clock: Clock) -> Body:
-        """Keep time with a world from now on; ValueError if it is in another one already."""
+        """Read time from a world's clock from now on; ValueError if it is in a world already."""
         if self._clock.cloth is not NOWHERE:
             raise ValueError(f"ball {self.name!r} is in a world already")
         self._clock = clock

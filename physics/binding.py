@@ -1,4 +1,4 @@
-"""The kernel loaded once more, with another module in the place of its subset."""
+"""The kernel loaded a second time, with another module in place of its subset."""
 
 import importlib
 import importlib.util

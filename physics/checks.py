@@ -1,7 +1,8 @@
-"""Numbers from outside: refused with their name when they are not what they should be."""
+"""Numbers from callers: refused, naming them, when they are not what they should be."""
 
 from collections.abc import Callable, Sequence
 from math import isfinite
+from operator import index
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -47,6 +48,17 @@ def nonnegative(name: str, value: float) -> float:
     return number
 
 
+def whole(name: str, value: int, least: int, most: int) -> int:
+    """The value as an int, or ValueError unless it is a whole number from least to most."""
+    try:
+        number = index(value)
+    except TypeError:
+        number = least - 1
+    if isinstance(value, bool) or not least <= number <= most:
+        raise ValueError(f"{name} must be a whole number from {least} to {most}, not {value!r}")
+    return number
+
+
 def truth(name: str, value: bool) -> bool:
     if not isinstance(value, bool):
         raise ValueError(f"{name} is True or False, not {value!r}")
@@ -61,7 +73,7 @@ def keep(owner: object, check: Callable[[str, float], float], *names: str) -> No
 
 
 def array(name: str, values: Any) -> "npt.NDArray[np.float64]":
-    """The values as an array of floats, or ValueError: NumPy would read text and count truths."""
+    """The values as an array of floats, or ValueError: NumPy would accept text and truth values."""
     import numpy as np
 
     try:
@@ -74,7 +86,7 @@ def array(name: str, values: Any) -> "npt.NDArray[np.float64]":
 
 
 def vector(name: str, value: Sequence[float], length: int) -> tuple[float, ...]:
-    """So many finite numbers, or ValueError with their name."""
+    """That many finite numbers, or ValueError with their name."""
     try:
         numbers = tuple(value)
     except TypeError:

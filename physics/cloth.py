@@ -10,9 +10,12 @@ from .kernel.body import Felt
 class Cloth:
     """Coefficients of a cloth (docs/physics.md, "Cloth").
 
-    slide: friction μ_s of a sliding ball; roll: resistance μ_r of a rolling one; spin_decay: loss
-    of the spin about the vertical, α_z in rad/s²; gravity in m/s²; bounce: restitution of a ball
-    that comes down on it, below 1. Each finite and not negative, or ValueError.
+    slide: friction μ_s of a sliding ball.
+    roll: resistance μ_r to a rolling one.
+    spin_decay: loss of the spin about the vertical, α_z, rad/s².
+    gravity: m/s².
+    bounce: restitution of a ball that comes down on it, below 1.
+    ValueError unless each is finite and not negative.
     """
 
     slide: float = 0.2
@@ -33,7 +36,7 @@ class Cloth:
 
 
 def a_cloth(thing: Cloth) -> Cloth:
-    """It, or ValueError if it is none."""
+    """The cloth, or ValueError if the thing is not one."""
     if not isinstance(thing, Cloth):
         raise ValueError(f"a world's cloth is a Cloth, not {thing!r}")
     return thing

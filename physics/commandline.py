@@ -1,4 +1,4 @@
-"""What every command line here refuses: an option given twice, and one given as nothing."""
+"""What every command line here refuses: an option given twice, and one with an empty value."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ class Once(argparse.Action):
 
 
 class Parser(argparse.ArgumentParser):
-    """A command line on which every option with a value is there once, and says something."""
+    """A command line on which each option with a value appears once, and is not empty."""
 
     def __init__(self, *arguments: Any, **more: Any) -> None:
         super().__init__(*arguments, **more)
-        self.register("action", None, Once)  # what an option does that says nothing of it
+        self.register("action", None, Once)  # the action of an option that names none

@@ -1,4 +1,4 @@
-"""The cue: where and how fast the tip meets the ball, and the shot that comes of it."""
+"""The cue: where and how fast the tip meets the ball, and the shot that results."""
 
 from dataclasses import dataclass, replace
 from math import fsum, sqrt
@@ -9,7 +9,7 @@ from .shot import Shot, direction, heading
 
 
 class Heavy(Protocol):
-    """Whatever has a mass: a ball, or a table of presets."""
+    """Anything with a mass: a ball, or a table of presets."""
 
     @property
     def mass(self) -> float: ...
@@ -19,12 +19,18 @@ class Heavy(Protocol):
 class CueStroke:
     """A stroke of the cue; `.shot(ball)` is what it does to a ball (docs/physics.md, "Cue").
 
-    speed of the cue, m/s; angle it points to and elevation of its butt, degrees. side and height:
-    where the tip meets the ball, in radii from the centre seen from behind: side + to the right,
-    which is right english and, like `Shot.side`, anticlockwise spin; height + above, which is
-    follow. With elevation, side curves the path to its own side. cue_mass in kg; restitution of the
-    tip; end_ratio: ball's mass over the mass of the cue's end that moves sideways, which makes the
-    squirt; friction of the tip.
+    speed: of the cue, m/s.
+    angle: that it points to, degrees.
+    side: where the tip meets the ball, in radii from the centre, seen from behind; + to the right,
+    which is right english and, like `Shot.side`, anticlockwise spin. With elevation, side curves
+    the path to its own side.
+    height: the same upward; + is follow.
+    elevation: of its butt, degrees.
+    cue_mass: kg.
+    restitution: of the tip.
+    end_ratio: the ball's mass over the mass of the cue's end that moves sideways, which makes the
+    squirt.
+    friction: of the tip.
     ValueError for what is not finite or out of range, and for a miscue: a tip so far out that it
     slips.
     """
@@ -88,13 +94,13 @@ class CueStroke:
         It goes away from the side on which the tip meets it: tip right of the centre, ball left.
         """
         x = self.side
-        level = 1.0 - x * x
-        return heading(complex(1.0 + self.end_ratio + 2.5 * level, 2.5 * x * sqrt(level)))
+        inner = 1.0 - x * x
+        return heading(complex(1.0 + self.end_ratio + 2.5 * inner, 2.5 * x * sqrt(inner)))
 
     def jump(self, ball: Heavy) -> Shot:
-        """The same with what `shot` leaves out: the cue drives the ball into the cloth.
+        """The same shot with what `shot` leaves out: the cue drives the ball into the cloth.
 
-        It bounces off at once, by the cloth's `bounce`, and flies.
+        The ball bounces off at once, by the cloth's `bounce`, and flies.
         """
         return replace(self.shot(ball), climb=-self._kick(ball) * direction(self.elevation).imag)
 
@@ -114,6 +120,6 @@ class CueStroke:
             speed=kick * direction(self.elevation).real,
             angle=self.angle + self.squirt,
             follow=2.5 * kick * turned.real,
-            masse=-2.5 * kick * turned.imag,
-            side=2.5 * kick * vertical,
+            masse=0.0 - 2.5 * kick * turned.imag,  # no zero shows a sign
+            side=0.0 + 2.5 * kick * vertical,
         )

@@ -6,7 +6,7 @@ relative velocity, the two balls' summed roll and side, and their reduced mass, 
 towards +x, and returns (push, rub): the impulse along the line of centres, and the one across it as
 (along the table) + i (upward) on the first ball; the engine applies them equal and opposite. All
 are complex numbers in m/s; roll is -i R ω, side is R ω_z; impulses in N s. Between balls of two
-sizes v and push are level, and roll and side turned as docs/physics.md says.
+sizes v and push are along the table, and roll and side turned as docs/physics.md says.
 """
 
 from collections.abc import Callable
@@ -18,7 +18,7 @@ from .checks import finite, keep, nonnegative, positive
 from .kernel import laws as kernel
 from .kernel.body import Rule
 
-MEASURED_SLIDE = 0.212  # the friction of the measured cloth, for a law that is on none
+MEASURED_SLIDE = 0.212  # the friction of the measured cloth, for a law tried without a cloth
 
 CushionState = tuple[complex, complex, float]
 
@@ -29,7 +29,7 @@ def _fraction(name: str, value: float) -> float:
     return float(value)
 
 
-def _height(name: str, value: float) -> float:
+def _nose_height(name: str, value: float) -> float:
     if not 0.0 < finite(name, value) < 2.0:
         raise ValueError(f"{name} (h/R) must be between 0 and 2, not {value!r}")
     return float(value)
@@ -41,7 +41,10 @@ def _bent(kind: int, e: float, mu: float, nose: float) -> Rule:
 
 
 class _CushionLaw:
-    """A cushion law can be tried by hand; `creates_energy`: it may, by its nature."""
+    """A cushion law, which can be called by hand.
+
+    creates_energy: whether it may, by its nature.
+    """
 
     __slots__ = ()
     creates_energy: ClassVar[bool] = False
@@ -56,7 +59,10 @@ class _CushionLaw:
 
 
 class _BallLaw:
-    """A ball law can be tried by hand; `loses_momentum`: it may, by its nature."""
+    """A ball law, which can be called by hand.
+
+    loses_momentum: whether it may, by its nature.
+    """
 
     __slots__ = ()
     loses_momentum: ClassVar[bool] = False
@@ -74,7 +80,12 @@ class _BallLaw:
 
 @dataclass(frozen=True, slots=True)
 class RigidCushion(_CushionLaw):
-    """The rigid impulse law (Han 2005, corrected): restitution e, friction mu, nose = h/R."""
+    """The rigid impulse law (Han 2005, corrected).
+
+    e: restitution.
+    mu: friction.
+    nose: height h/R.
+    """
 
     e: float = 0.891
     mu: float = 0.242
@@ -83,7 +94,7 @@ class RigidCushion(_CushionLaw):
     def __post_init__(self) -> None:
         keep(self, _fraction, "e")
         keep(self, nonnegative, "mu")
-        keep(self, _height, "nose")
+        keep(self, _nose_height, "nose")
 
     def rule(self) -> Rule:
         return _bent(kernel.RIGID_CUSHION, self.e, self.mu, self.nose)
@@ -93,8 +104,11 @@ class RigidCushion(_CushionLaw):
 class MathavanCushion(_CushionLaw):
     """Mathavan, Jackson and Parkin (2010): friction at nose and cloth, all through the hit.
 
-    Restitution e, friction mu at the cushion and `slide` at the cloth, nose = h/R. Without `slide`
-    it is the friction of the world's own cloth, and 0.212 where the law is tried by hand.
+    e: restitution.
+    mu: friction at the cushion.
+    slide: friction at the cloth; None is that of the world's own cloth, and 0.212 for a law that
+    is called by hand.
+    nose: height h/R.
     ValueError also for coefficients at which the ball would jam between nose and cloth.
     """
 
@@ -105,7 +119,7 @@ class MathavanCushion(_CushionLaw):
 
     def __post_init__(self) -> None:
         keep(self, _fraction, "e", "mu", *(["slide"] if self.slide is not None else []))
-        keep(self, _height, "nose")
+        keep(self, _nose_height, "nose")
         rule = self.rule()
         pressed = max(0.0, rule.height + rule.level * self.mu)
         if rule.level - abs(rule.height) * self.mu - rule.slide * pressed <= 0.0:
@@ -122,6 +136,8 @@ class ThesisCushion(_CushionLaw):
     """The thesis's text: the push at 7R/5 keeps a rolling ball rolling, friction has no cap.
 
     It creates energy for balls that do not roll (docs/physics.md).
+    e: restitution.
+    mu: friction.
     """
 
     creates_energy: ClassVar[bool] = True
@@ -142,6 +158,8 @@ class CappedCushion(_CushionLaw):
     """The thesis's push, with friction that has its whole lever arm and stops at sticking.
 
     The push creates energy for balls that do not roll (docs/physics.md).
+    e: restitution.
+    mu: friction.
     """
 
     creates_energy: ClassVar[bool] = True
@@ -159,7 +177,10 @@ class CappedCushion(_CushionLaw):
 
 @dataclass(frozen=True, slots=True)
 class SmoothBall(_BallLaw):
-    """Restitution e and no friction: spins stay as they are."""
+    """No friction: spins stay as they are.
+
+    e: restitution.
+    """
 
     e: float = 0.95
 
@@ -172,7 +193,11 @@ class SmoothBall(_BallLaw):
 
 @dataclass(frozen=True, slots=True)
 class RoughBall(_BallLaw):
-    """Restitution e and friction mu: a number, or "alciatore" for his fit to Marlow's data."""
+    """A push and friction.
+
+    e: restitution.
+    mu: friction, a number or "alciatore" for his fit to Marlow's data.
+    """
 
     e: float = 0.946
     mu: float | str = "alciatore"
@@ -196,6 +221,7 @@ class ThesisBall:
     """The thesis's text: velocities along the line of centres swap, times e; so do spins across it.
 
     It loses momentum, which no other law here can.
+    e: restitution.
     """
 
     loses_momentum: ClassVar[bool] = True
@@ -213,9 +239,10 @@ class ThesisBall:
 class HertzCluster:
     """The accurate law for clusters of touching balls: contacts that are springs of Hertz.
 
-    Its equations are in physics/engines/hertz.py. Balls whose gaps are below `gap`, m, count as
-    touching: real ones do below 0.1 to 0.4 mm, the length of a contact in time. e: restitution,
-    above 0; None is the ball law's own. Friction between the balls is the ball law's.
+    Its equations are in physics/engines/hertz.py. Friction between the balls is the ball law's.
+    e: restitution, above 0; None is the ball law's own.
+    gap: balls closer than that, m, count as touching; real ones do below 0.1 to 0.4 mm, as a
+    contact takes time.
     World.cluster_law takes it, with the engine EventDriven; a pair alone goes by the ball law.
     """
 
@@ -229,14 +256,14 @@ class HertzCluster:
             positive("HertzCluster.e", self.e)
 
 
-BENT = RigidCushion | MathavanCushion  # laws that know how high the nose is
+BENT = RigidCushion | MathavanCushion  # laws that depend on the height of the nose
 
 CushionLaw = _CushionLaw | Callable[[complex, complex, float], CushionState]
 BallLaw = _BallLaw | ThesisBall | Callable[[complex, complex, float, float], tuple[float, complex]]
 
 
-class ForeignRule(Rule):
-    """A law from outside, for the kernel."""
+class CustomRule(Rule):
+    """A custom law, for the kernel."""
 
     __slots__ = ("function",)
 
@@ -270,7 +297,7 @@ def ball_law(law: "str | BallLaw") -> BallLaw:
 
 
 def cluster_law(law: "str | HertzCluster | None") -> HertzCluster | None:
-    """The law itself; None stays None: tie groups of the ball law."""
+    """The law itself; None stays None: groups of tied contacts under the ball law."""
     if law == "hertz":
         return HertzCluster()
     if law is None or isinstance(law, HertzCluster):
@@ -293,7 +320,7 @@ def _law(
 
 
 def on_cloth(law: CushionLaw, slide: float) -> CushionLaw:
-    """The law on a cloth with that friction; ValueError if it cannot be on it."""
+    """The law on a cloth with that friction; ValueError if the two do not go together."""
     if isinstance(law, MathavanCushion) and law.slide is None:
         return replace(law, slide=slide)
     return law
@@ -302,15 +329,15 @@ def on_cloth(law: CushionLaw, slide: float) -> CushionLaw:
 def cushion_rule(law: CushionLaw, parting: float, before: Rule | None = None) -> Rule:
     """The law as the kernel wants it.
 
-    One from outside knows balls on the table only: in the air the default's coefficients hold, at
-    the nose that was there before.
+    A custom law knows balls on the table only: in the air the default's coefficients hold, at the
+    nose that was there before.
     """
     if isinstance(law, _CushionLaw):
         rule = law.rule()
     else:
         air = RigidCushion()
         nose = air.nose if before is None else 1.0 + before.height
-        rule = ForeignRule(_bent(kernel.FOREIGN_CUSHION, air.e, air.mu, nose), law)
+        rule = CustomRule(_bent(kernel.FOREIGN_CUSHION, air.e, air.mu, nose), law)
     rule.parting = parting
     return rule
 
@@ -320,6 +347,6 @@ def ball_rule(law: BallLaw, parting: float) -> Rule:
     if isinstance(law, _BallLaw | ThesisBall):
         rule = law.rule()
     else:
-        rule = ForeignRule(Rule(kernel.FOREIGN_BALL), law)
+        rule = CustomRule(Rule(kernel.FOREIGN_BALL), law)
     rule.parting = parting
     return rule

@@ -18,7 +18,14 @@ Vector = tuple[float, float]
 
 
 class State(NamedTuple):
-    """A ball at a moment: (x, y) m, (vx, vy) m/s, (wx, wy, wz) rad/s; above the cloth, m, m/s."""
+    """A ball at a moment.
+
+    position: (x, y), m.
+    velocity: (vx, vy), m/s.
+    spin: (wx, wy, wz), rad/s.
+    height: above the cloth, m.
+    climb: velocity upward, m/s.
+    """
 
     position: Vector
     velocity: Vector
@@ -28,22 +35,34 @@ class State(NamedTuple):
 
 
 class Leg(NamedTuple):
-    """Motion between two events: from `epoch` + `since` on, with constant acceleration."""
+    """Motion between two events, with constant acceleration.
+
+    epoch, since: it begins at epoch + since, s.
+    position, velocity, acceleration: as complex numbers, m, m/s, m/s².
+    roll: -i R ω, m/s.
+    side: R ω_z, m/s.
+    phase: as in physics.kernel.motion.
+    radius: of the ball, m.
+    fade: loss of ω_z, rad/s².
+    height, climb: above the cloth, m, and the velocity upward, m/s.
+    fall: deceleration of the climb, m/s².
+    lift: of the centre above the lowest point, m: the radius, or 0 for a disc.
+    """
 
     epoch: float
     since: float
     position: complex
     velocity: complex
     acceleration: complex
-    roll: complex  # -i R ω, m/s
-    side: float  # R ω_z, m/s
+    roll: complex
+    side: float
     phase: int
     radius: float
     fade: float
     height: float = 0.0
     climb: float = 0.0
-    fall: float = 0.0  # what takes the climb, m/s²
-    lift: float = 0.0  # of the centre above the lowest point: the radius, or 0 for a disc, m
+    fall: float = 0.0
+    lift: float = 0.0
 
     @property
     def time(self) -> float:
@@ -66,7 +85,7 @@ class Leg(NamedTuple):
     def state(self) -> State:
         """Where it begins and how."""
         p, v, w, r = self.position, self.velocity, self.roll / self.radius, self.radius
-        spin = -w.imag, w.real, self.side / r
+        spin = 0.0 - w.imag, 0.0 + w.real, 0.0 + self.side / r  # no zero shows a sign
         return State((p.real, p.imag), (v.real, v.imag), spin, max(0.0, self.height), self.climb)
 
     def energy(self, mass: float) -> float:
@@ -79,19 +98,22 @@ class Leg(NamedTuple):
 class Event(NamedTuple):
     """One thing that happened.
 
-    time s; kind "roll", "rest", "cushion" or "ball", and for balls that fly "land" (on the cloth)
-    and "off" (over a cushion, for good); balls: names; wall: name, or None; point: (x, y) of the
-    contact (of the centre, where nothing touched), m; before and after: a State for each ball;
+    time: s; the same for all events of one instant.
+    kind: "roll", "rest", "cushion" or "ball", and for balls that fly "land" (on the cloth) and
+    "off" (over a cushion, for good).
+    balls: names.
+    wall: name, or None.
+    point: (x, y) of the contact (of the centre, where nothing touched), m.
+    before, after: a State for each ball.
     closing: speed along the contact's normal before, m/s (along the table at a cushion, and between
-    balls on the cloth); energy_lost: J, in a cluster of contacts their common loss shared by
-    impulse. Events of one instant have the same time.
-
+    balls on the cloth).
+    energy_lost: J; in a cluster of contacts their common loss, shared by impulse.
     impulse: m |Δv| of the first ball, N s: push and rub together, less what is vertical, which the
     cloth takes up while a ball stays on it. In a cluster it is the push.
     push: the part of the impulse along the contact's normal (at a cushion and between balls on the
     cloth, the level one), N s.
     away: at a cushion, the greatest gap between it and the ball since they last touched, or since
-    the log began, m; inf for other events. (docs/physics.md, "What an event tells".)
+    the log began, m; inf for other events. (docs/physics.md, "What an event says".)
     """
 
     time: float
@@ -109,7 +131,10 @@ class Event(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """What the rules of a game need of an event "cushion", "ball" or "off": no states."""
+    """What the rules of a game need of an event "cushion", "ball" or "off": no states.
+
+    time, kind, balls, wall, away: as in Event.
+    """
 
     time: float
     kind: str
@@ -119,7 +144,7 @@ class Contact(NamedTuple):
 
 
 class Log(Sequence[Event]):
-    """The events in their order; each is worked out when it is looked at."""
+    """The events in their order; each is computed when it is looked at."""
 
     def __init__(self) -> None:
         self.names: list[str] = []
@@ -184,7 +209,7 @@ class Log(Sequence[Event]):
                 self._events.append((epoch, time, PAIR, j, i, legs[i], j, legs[j], shared))
 
     def clear(self) -> None:
-        """Forget what happened; the legs that balls are on stay."""
+        """Forget what happened, but not the legs that balls are on."""
         self._events.clear()
         self._departures.clear()
         for legs in self._legs:
@@ -229,7 +254,7 @@ class Log(Sequence[Event]):
         log._legs = [[] for _ in self.names]
         return log
 
-    # -- read by everybody ---------------------------------------------------------------------
+    # -- for reading ---------------------------------------------------------------------------
 
     def __len__(self) -> int:
         return len(self._events)

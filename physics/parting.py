@@ -8,7 +8,7 @@ from .places import OVERLAP, overlapping
 from .wall import Obstacle
 
 GAP = 3e-5  # radii: how far apart they are put; it cannot be seen, and brings the sweeps to an end
-SWEEPS = 2_000  # 60 balls in a heap take 700; where there is no room, some overlap stays
+SWEEPS = 2_000  # 60 balls in a heap take 700; where there is no room, some overlap remains
 
 
 def part(balls: Sequence[Ball], walls: Sequence[Obstacle]) -> None:

@@ -1,4 +1,4 @@
-"""Do the balls fit where somebody has put them: inside the walls, and not into one another?"""
+"""Do the balls fit where they were placed: inside the walls, and not into one another?"""
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import hypot
@@ -9,7 +9,7 @@ from .kernel.motion import length
 from .kernel.obstacle import nose
 from .wall import Obstacle
 
-OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene that somebody typed
+OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene typed by hand
 
 
 def check_places(
@@ -19,11 +19,11 @@ def check_places(
     rule: Rule,
     dt: float,
 ) -> None:
-    """ValueError, naming the ball, if one that has been put there lies outside the walls or in
-    another one, or any lies outside a wall that is fresh.
+    """ValueError, naming the ball, if one that was placed lies outside the walls or in another
+    one, or if any lies outside a new wall.
 
-    What an engine of fixed steps has left overlapping is no fault of the caller's. rule: the
-    cushions'. dt: the engine's step, s, or 0.
+    Overlaps left by an engine of fixed steps are not the caller's fault. rule: the cushions'.
+    dt: the engine's step, s, or 0.
     """
     # fixed steps notice a contact when things overlap by what they move in a step
     fastest = max((length(complex(*ball.velocity)) for ball in balls), default=0.0)

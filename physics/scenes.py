@@ -5,6 +5,7 @@ from math import sqrt
 
 from . import laws, tables
 from .ball import Ball
+from .checks import whole
 from .cloth import Cloth
 from .engines.exact import EventDriven
 from .shot import Shot, direction
@@ -83,7 +84,11 @@ def rack15(gap: float = 1e-5, speed: float = 8.0) -> World:
 
 
 def cradle(balls: int = 5, angle: float = 0.0) -> World:
-    """Newton's cradle: on ice, a ball runs at 1 m/s, at `angle` degrees, into a row touching."""
+    """Newton's cradle: on ice, a ball runs at 1 m/s, at `angle` degrees, into a row that touches.
+
+    ValueError unless balls is a whole number from 1 to 10 000.
+    """
+    balls = whole("cradle balls", balls, 1, 10_000)
     world = World(Cloth(0.0, 0.0, 0.0), laws.SmoothBall(1.0))
     line = direction(angle)
     for k in range(balls):
@@ -97,7 +102,9 @@ def pi_collisions(digits: int = 3) -> World:
     """A heavy ball drives a light one into a wall: their collisions count out the digits of π.
 
     Nothing is lost and nothing rubs; the masses are as 100^(digits - 1) to 1 (Galperin 2003).
+    ValueError unless digits is a whole number from 1 to 26: no ball is heavier than 1e50 kg.
     """
+    digits = whole("pi_collisions digits", digits, 1, 26)
     world = World(Cloth(0.0, 0.0, 0.0), laws.SmoothBall(1.0), laws.RigidCushion(1.0, 0.0, 1.0))
     world.engine = EventDriven(vmin=0.0, budget=4 * 10**digits)
     world.add(Wall.line(1.0, 0.0, 0.0, "wall"))

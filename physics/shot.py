@@ -35,16 +35,18 @@ def heading(vector: complex) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Shot:
-    """What the cue gives the ball: speed V in m/s, angle in degrees, and three surface speeds in
-    m/s.
+    """What the cue gives the ball; spins are surface speeds.
 
-    angle: anticlockwise from +x. follow (Wx·R) spins about the horizontal axis left of the
-    direction of travel: + runs on after a hit, - draws back. masse (Wy·R) spins about the direction
-    of travel: + curves to the right, - to the left. side (Wz·R) spins about the vertical: +
-    anticlockwise from above, which players call right english (the tip right of the centre, the
-    ball leaves the far cushion to the right), - left english. climb: velocity upward, m/s;
-    downward, the ball bounces off the cloth. ValueError unless all are finite and the speed is
-    above zero.
+    speed: V, m/s.
+    angle: degrees, anticlockwise from +x.
+    follow: Wx·R, m/s, about the horizontal axis left of the direction of travel: + runs on after a
+    hit, - draws back.
+    masse: Wy·R, m/s, about the direction of travel: + curves to the right, - to the left.
+    side: Wz·R, m/s, about the vertical: + anticlockwise from above, which players call right
+    english (the tip right of the centre, the ball leaves the far cushion to the right), - left
+    english.
+    climb: velocity upward, m/s; downward, the ball bounces off the cloth.
+    ValueError unless all are finite and the speed is above zero.
     """
 
     speed: float

@@ -1,4 +1,4 @@
-"""What becomes of a shot: played on a copy, to rest."""
+"""A shot played on a copy of the world, until all rest."""
 
 from .ball import Ball
 from .shot import Shot

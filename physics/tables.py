@@ -1,4 +1,4 @@
-"""Tables to play on: playing surface, balls, cloth and laws (sources in docs/physics.md)."""
+"""Tables to play on: playing surface, balls, cloth and laws (sources in docs/accuracy.md)."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,12 @@ from .world import World
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """length and width between the cushions' noses, ball radius: metres; ball mass: kg.
+    """A table to play on, with what belongs to it.
+
+    length, width: between the cushions' noses, m.
+    radius: of a ball, m.
+    mass: of a ball, kg.
+    cloth, ball_law, cushion_law: as a World takes them.
 
     ValueError for what is not finite or not above zero.
     """
@@ -42,10 +47,10 @@ MEASURED = Cloth(slide=0.212, roll=0.0045, spin_decay=10.0, gravity=9.81)
 
 # No source measures one cloth in its three conditions. These are the low end, the usual value and
 # the high end of the published ranges (slide 0.15 to 0.4, roll 0.005 to 0.015, spin_decay 5 to 15
-# rad/s²), put to the condition that players say is so: new cloth is slippery and fast, a damp one
-# grips and is slow. But the measured cloth is faster than those ranges: `roll` of a new one is what
-# its shots give for a ball that hardly moves (docs/physics.md, "Cloths"). From the cloth on which a
-# ball runs farthest to the slowest: new, measured, worn, humid.
+# rad/s²), assigned to the condition that players describe so: new cloth is slippery and fast, a
+# damp one grips and is slow. But the measured cloth is faster than those ranges: `roll` of a new
+# one is what its shots give for a ball that hardly moves (docs/accuracy.md, "Cloths"). From the
+# cloth on which a ball runs farthest to the slowest: new, measured, worn, humid.
 CLOTHS: dict[str, Cloth] = {
     "new": Cloth(slide=0.15, roll=0.004, spin_decay=5.0, gravity=9.81),
     "measured": MEASURED,

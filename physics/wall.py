@@ -49,10 +49,12 @@ class Obstacle:
 
 @dataclass(frozen=True, slots=True)
 class Wall(Obstacle):
-    """Balls are where (conj(normal) * p).real > offset; make one with `Wall.line` or
-    `Wall.through`.
+    """Balls are where (conj(normal) * p).real > offset.
 
-    normal: inward unit normal as a complex number; offset in metres.
+    Make one with `Wall.line` or `Wall.through`.
+    normal: inward unit normal, as a complex number.
+    offset: m.
+    name: for events, or None.
     """
 
     kind: ClassVar[str] = "line"

@@ -1,4 +1,4 @@
-"""Laws from outside are watched: what they must not do is refused, and the run undone."""
+"""Custom laws are watched: what they must not do is refused, and the run undone."""
 
 import warnings
 from collections.abc import Callable, Iterator
@@ -6,50 +6,50 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from math import hypot, inf, isfinite
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from .ball import Ball
+from .engines.engine import Movable
 from .engines.exact import EventBudgetError
 from .kernel.body import Body, twin_grid
 from .kernel.leg import aloft
 from .kernel.motion import length
 from .kernel.tilt import levelled
-from .laws import ForeignRule
-
-if TYPE_CHECKING:
-    from .world import World
+from .laws import CustomRule
 
 ROUNDING = 1e-9  # of the energy: what a law may gain by rounding
-ALIKE = 1e-9  # m/s: how well a ball must fit what a law was told, to be named
+ALIKE = 1e-9  # m/s: how well a ball must fit what a law was given, to be named
 
 _values = attrgetter(*Body.__slots__)
 
 
 class EnergyGainWarning(UserWarning):
-    """A law from outside has made energy; told once for a world, its copies and the law."""
+    """A custom law has made energy; given once for a world, its copies and the law."""
 
 
 @dataclass(slots=True)
 class Watch:
-    """A law from outside, called in its own place: the same numbers in and out, but checked.
+    """A custom law's stand-in, with the same numbers in and out, but checked.
 
-    balls: those of the world. asking: where the world looks for who would change it. told: the laws
-    of which it is known that they gain energy.
+    law: the custom law.
+    balls: those of the world.
+    asking: where the world looks for the law that is being asked.
+    warned: the laws of which it is known that they gain energy.
     """
 
     law: Callable[..., Any]
     parting: float
     balls: list[Ball]
     asking: list[str]
-    told: list[object]
+    warned: list[object]
 
-    def call(self, what: str, *told: Any) -> Any:
-        """What the law says; ValueError if it changes a ball behind the engine's back."""
+    def call(self, what: str, *given: Any) -> Any:
+        """What the law returns; ValueError if it changes a ball behind the engine's back."""
         before = [_values(ball.body) for ball in self.balls]
         spots = [ball.body.position for ball in self.balls]
         self.asking.append(what)
         try:
-            said = self.law(*told)
+            said = self.law(*given)
         except Exception as error:
             error.add_note(f"raised by {what}")
             raise
@@ -65,9 +65,9 @@ class Watch:
 
     def warn(self, what: str, gained: float, share: float) -> None:
         """Once for this law."""
-        if any(law is self.law for law in self.told):
+        if any(law is self.law for law in self.warned):
             return
-        self.told.append(self.law)
+        self.warned.append(self.law)
         warnings.warn(
             f"{what} gained {gained:.3g} J, {100.0 * share:.3g} % of the energy it was given",
             EnergyGainWarning,
@@ -76,14 +76,14 @@ class Watch:
 
 
 class CushionWatch(Watch):
-    """A cushion law from outside."""
+    """A custom cushion law."""
 
     __slots__ = ()
 
     def __call__(self, v: complex, roll: complex, side: float) -> tuple[complex, complex, float]:
         ball = self._find(v, side)
-        who = f"ball {ball.name!r}" if ball else "a ball"
-        what = f"the cushion law {_name(self.law)}, at {who},"
+        which = f"ball {ball.name!r}" if ball else "a ball"
+        what = f"the cushion law {_name(self.law)}, at {which},"
         said = self.call(what, v, roll, side)
         new_v, new_roll, new_side = numbers = _numbers(what, said, (complex, complex, float))
         if new_v.real < -ROUNDING * length(v):
@@ -91,11 +91,11 @@ class CushionWatch(Watch):
         had, has = _energy(v, roll, side), _energy(*numbers)
         if has > had * (1.0 + ROUNDING):
             self.warn(what, (has - had) * (ball.mass if ball else 1.0), has / had - 1.0)
-        # what touches parts, or contacts would never end
+        # touching bodies always separate; otherwise contacts could last forever
         return complex(max(new_v.real, self.parting), new_v.imag), new_roll, new_side
 
     def _find(self, v: complex, side: float) -> Ball | None:
-        """The ball that this is about, by what it does."""
+        """The ball that the law was asked about, found by its motion."""
 
         def unlike(ball: Ball) -> float:
             return float(abs(length(ball.body.velocity) - length(v)) + abs(ball.body.side - side))
@@ -104,7 +104,7 @@ class CushionWatch(Watch):
 
 
 class BallWatch(Watch):
-    """A ball law from outside."""
+    """A custom ball law."""
 
     __slots__ = ()
 
@@ -126,7 +126,7 @@ class BallWatch(Watch):
         return max(push, mass * (v.real + self.parting)), rub
 
     def _find(self, v: complex, side: float) -> str:
-        """The balls that this is about, by what they do and where they are."""
+        """The balls that the law was asked about, found by their motion and places."""
         found, names = ALIKE, "two balls"
         for i, one in enumerate(self.balls):
             for other in self.balls[i + 1 :]:
@@ -137,7 +137,7 @@ class BallWatch(Watch):
 
 
 def _unlike(a: Body, b: Body, closing: float, side: float) -> float:
-    """How far these two are from closing like that, m/s, and with such spin where it is told."""
+    """How far these two are from closing like that, m/s, and with such spin where it is given."""
     flies = aloft(a) or aloft(b)
     line = b.position - a.position
     rise = b.height - a.height + (b.lift - a.lift) if flies else 0.0
@@ -152,9 +152,9 @@ def _unlike(a: Body, b: Body, closing: float, side: float) -> float:
 
 
 def watch(ball: Any, cushion: Any, *world: Any) -> None:
-    """Have the laws of these rules watched, as far as they are from outside."""
+    """Have the custom laws among these rules watched."""
     for rule, kind in ((ball, BallWatch), (cushion, CushionWatch)):
-        if isinstance(rule, ForeignRule):
+        if isinstance(rule, CustomRule):
             rule.function = kind(rule.function, rule.parting, *world)
 
 
@@ -163,7 +163,7 @@ def _name(law: object) -> str:
 
 
 def _numbers(what: str, said: Any, kinds: tuple[type, ...]) -> Any:
-    """So many finite numbers of these kinds, or ValueError."""
+    """As many finite numbers of these kinds, or ValueError."""
     try:
         values = tuple(_number(kind, value) for kind, value in zip(kinds, said, strict=True))
     except (TypeError, ValueError, OverflowError):
@@ -195,8 +195,8 @@ def _gain(v: complex, roll: complex, side: float, mass: float, push: float, rub:
 
 
 @contextmanager
-def undone(world: "World") -> Iterator[None]:
-    """If this fails, the world is as it was before; but for a budget of events that is used up."""
+def undone(world: Movable) -> Iterator[None]:
+    """If this fails, the world is as it was before, unless the event budget was exceeded."""
     scene, clock = world.scene, world.clock
     kept = scene._replace(meetings=scene.meetings[:], grid=twin_grid(scene.grid))
     bodies = [_values(body) for body in scene.balls]

@@ -1,4 +1,4 @@
-"""Files are replaced whole: whoever reads one finds the old text or the new one, never a part."""
+"""Files are replaced whole: a reader finds the old text or the new one, never a part."""
 
 import errno
 import os

@@ -10,7 +10,8 @@ from . import laws
 from .ball import DISTURBED, Ball, Clock, Placed
 from .checks import finite, nonnegative, truth
 from .cloth import Cloth, a_cloth
-from .engines.exact import Engine, EventDriven, an_engine
+from .engines.engine import Engine, an_engine
+from .engines.exact import EventDriven
 from .files.record import foresees
 from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_scene
 from .kernel.kinds import PHASES
@@ -34,10 +35,10 @@ class World:
     do so 2 √(r R) apart (docs/physics.md). Both are the same for balls of one size.
     """
 
-    __slots__ = (  # so that a misspelt name is an error, and not an attribute that nobody reads
+    __slots__ = (  # so that a misspelt name is an error, and not an attribute that nothing reads
         "__weakref__", "_asking", "_ball_law", "_balls", "_checked", "_clock", "_cloth",
-        "_cluster_law", "_cushion_law", "_discs", "_engine", "_index", "_told", "_walls",
-        "_watched", "allowed", "due", "log", "planned", "scene",
+        "_cluster_law", "_cushion_law", "_discs", "_engine", "_index", "_walls",
+        "_warned", "_watched", "allowed", "due", "log", "planned", "scene",
     )  # fmt: skip
 
     def __init__(
@@ -56,9 +57,9 @@ class World:
         self._cluster_law: laws.HertzCluster | None = None
         self._clock = Clock(self._cloth.felt())
         self._balls: list[Ball] = []
-        self._watched = False  # is a law from outside in use?  Then a run that fails is undone
-        self._asking: list[str] = []  # the law from outside that is just asked
-        self._told: list[object] = []  # the laws from outside that were found to gain energy
+        self._watched = False  # is a custom law in use?  Then a run that fails is undone
+        self._asking: list[str] = []  # the custom law that is being asked
+        self._warned: list[object] = []  # the custom laws that were found to gain energy
         self._index: dict[str, int] = {}
         self._walls: list[Obstacle] = []
         self._checked = 0  # how many of the walls all balls are known to be inside of
@@ -201,11 +202,11 @@ class World:
         ball = laws.ball_rule(self._ball_law, vmin)
         law = laws.on_cloth(self._cushion_law, self._cloth.slide)
         cushion = laws.cushion_rule(law, vmin, before)
-        self._watched = any(isinstance(rule, laws.ForeignRule) for rule in (ball, cushion))
+        self._watched = any(isinstance(rule, laws.CustomRule) for rule in (ball, cushion))
         if self._watched:
             from .watch import watch
 
-            watch(ball, cushion, self._balls, self._asking, self._told)
+            watch(ball, cushion, self._balls, self._asking, self._warned)
         return ball, cushion
 
     def _renew_rules(self) -> None:
@@ -213,7 +214,7 @@ class World:
         self.scene = self.scene._replace(ball_rule=ball, cushion_rule=cushion)
 
     def _refuse_laws(self, call: str) -> None:
-        """RuntimeError if it is a law from outside, asked just now, that uses this."""
+        """RuntimeError if a custom law, while it is asked, uses this."""
         if self._asking:
             raise RuntimeError(f"{self._asking[-1]} used World.{call}: a law only answers")
 
@@ -250,10 +251,10 @@ class World:
         self.plan()
         return self._clock.epoch + self.due
 
-    # -- what one does with it -----------------------------------------------------------------
+    # -- what is done with it ------------------------------------------------------------------
 
     def strike(self, ball: Ball | str, shot: Shot) -> None:
-        """Give a ball the velocity and spin of the shot, whatever it did before."""
+        """Give a ball the velocity and spin of the shot, and forget how it moved before."""
         if not isinstance(shot, Shot):
             raise ValueError(f"World.strike takes a Shot, not {shot!r}")
         self._refuse_laws("strike")
@@ -286,7 +287,7 @@ class World:
         self.trust()
 
     def trust(self) -> None:
-        """That balls overlap as they lie now is no fault of the caller's."""
+        """Accept that balls overlap as they lie now: it is not the caller's fault."""
         self._checked = len(self._walls)
         for ball in self._balls:
             ball.put = False
@@ -308,7 +309,7 @@ class World:
             self._step(dt)
 
     def _guard(self) -> AbstractContextManager[None]:
-        """If a law from outside makes a run fail, it is undone."""
+        """A run that a custom law makes fail is undone."""
         if not self._watched:
             return nullcontext()
         from .watch import undone
@@ -345,7 +346,7 @@ class World:
         self._clock.now = now
 
     def copy(self) -> "World":
-        """The same world once more, on the same legs, to be continued apart."""
+        """The same world again, on the same legs, to be continued apart."""
         return self.fork(self.log.copy())
 
     def fork(self, log: Log) -> "World":
@@ -363,7 +364,7 @@ class World:
             world._renew_rules()  # so that it watches its own balls
         return world
 
-    # -- taking in what somebody changed -------------------------------------------------------
+    # -- taking in what was changed from outside -----------------------------------------------
 
     def _disturb(self) -> None:
         self._clock.disturbed = True
@@ -371,7 +372,7 @@ class World:
             ball.disturb()
 
     def plan(self) -> None:
-        """Take in what somebody has put or pushed; ValueError if it cannot be."""
+        """Plan what has been placed or pushed; ValueError if it does not fit."""
         clock, bodies = self._clock, self.scene.balls
         if not clock.disturbed:
             return

@@ -78,7 +78,7 @@ def begun(command: str, played: Sequence[str]) -> App:
 
 
 def place(app: App, key: str) -> None:
-    """Lay the balls of a position for whoever is at the table, and aim as its answer says."""
+    """Lay the balls of a position for the player at the table, and aim as its answer says."""
     game = app.game
     position = next(place for place in SHELF if place.key == key)
     spots = position.on(*presets.size(game.world))

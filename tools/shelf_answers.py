@@ -1,4 +1,4 @@
-"""Print an answer for every position of the shelf: run it when laws or tables have changed.
+"""Print an answer for every position of the shelf; to be run when laws or tables have changed.
 
 python tools/shelf_answers.py [KEY ...]      half a minute each
 """

@@ -14,8 +14,11 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Style:
-    """What is tried: speeds from `slow` to `fast` m/s, tips within `tip` radii of the centre, and
-    which share of the aims goes at a cushion first.
+    """Which aims are tried.
+
+    slow, fast: the range of speeds, m/s.
+    tip: the greatest offset from the centre, radii.
+    bank: the share of the aims that goes at a cushion first.
     """
 
     slow: float
@@ -41,8 +44,8 @@ def aims(
         else:
             angle = _cut(cue, rng.choice(targets), 2 * radius, rng)
         speed = exp(rng.uniform(log(style.slow), log(style.fast)))
-        out, turn = style.tip * sqrt(rng.random()), tau * rng.random()
-        yield Aim(angle, speed, out * cos(turn), out * sin(turn))
+        out, around = style.tip * sqrt(rng.random()), tau * rng.random()
+        yield Aim(angle, speed, out * cos(around), out * sin(around))
 
 
 def _cut(cue: Place, target: Place, reach: float, rng: Random) -> float:

@@ -10,13 +10,15 @@ from physics import Shot
 
 # Radii off the centre of the ball beyond which a chalked tip slips (friction 0.6: 0.6/√1.36).
 MISCUE = 0.51
-SLOWEST = 0.05  # m/s: an error never turns a stroke into none
+SLOWEST = 0.05  # m/s: an error never makes a stroke none
 
 
 @dataclass(frozen=True, slots=True)
 class Aim:
-    """A level stroke: direction in degrees, speed of the ball in m/s, and where the tip meets it.
+    """A stroke with a horizontal cue.
 
+    angle: direction, degrees.
+    speed: of the ball, m/s.
     right, up: offset of the tip from the centre in radii of the ball, seen from behind.
     """
 
@@ -26,9 +28,9 @@ class Aim:
     up: float = 0.0
 
     def shot(self) -> Shot:
-        """The shot it gives: a push at the offset d turns the ball with Rω = 5/2 d v."""
-        turn = 2.5 * self.speed
-        return Shot(self.speed, self.angle, follow=turn * self.up, side=turn * self.right)
+        """The shot it gives: a push at the offset d spins the ball with Rω = 5/2 d v."""
+        spin = 2.5 * self.speed
+        return Shot(self.speed, self.angle, follow=spin * self.up, side=spin * self.right)
 
     def within(self, limit: float) -> Aim:
         """The same with the tip no farther out than `limit` radii."""
@@ -40,11 +42,12 @@ class Aim:
 
 @dataclass(frozen=True, slots=True)
 class Level:
-    """Standard deviations of a stroke, each independent and normal; `key` is a key of the texts.
+    """A player's skill: standard deviations of a stroke, each independent and normal.
 
-    angle  degrees
-    speed  share of the speed
-    tip    mm on the ball, in each direction
+    key: in the texts.
+    angle: degrees.
+    speed: share of the speed.
+    tip: mm on the ball, in each direction.
     """
 
     key: str

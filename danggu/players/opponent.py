@@ -27,11 +27,13 @@ Work = Generator[None, None, None]
 
 @dataclass(frozen=True, slots=True)
 class Intent:
-    """What the opponent means to play: the aim without error, what it is for, how sure it is.
+    """What the opponent means to play, and how sure it is.
 
-    verdict  of the stroke as it is meant, or None while nothing has been tried
-    share    of `copies` strokes with the level's error that scored; 0 of 0 while unknown
-    tried    simulations up to now
+    aim: without error.
+    verdict: of the stroke as it is meant, or None while nothing has been tried.
+    share: of `copies` strokes with the level's error, how many scored; 0 of 0 while unknown.
+    copies: how many of those there were.
+    tried: simulations up to now.
     """
 
     aim: Aim
@@ -48,7 +50,14 @@ class Intent:
 
 @dataclass(slots=True)
 class Contender:
-    """An aim, what it gives as it is meant, and how copies of it with an error have done."""
+    """An aim in the running.
+
+    aim: without error.
+    verdict: of the stroke as it is meant.
+    copies: strokes with the level's error that were tried.
+    gain: what they brought in all.
+    made: those that scored.
+    """
 
     aim: Aim
     verdict: Verdict
@@ -157,7 +166,7 @@ class Opponent:
         return field[0]
 
     def _centre(self, field: list[Contender]) -> Work:
-        """Let the better half of the field be joined by the middle of what scored around each."""
+        """To the better half of the field, add the middle of what scored around each."""
         for contender in field[: len(field) // 2]:
             if len(contender.made) > 1:
                 aim = contender.centre()
@@ -190,6 +199,6 @@ class Opponent:
         self.tried += 1
         try:
             after = simulate(self._world, self._turn.cue, aim.shot())
-        except RuntimeError:  # nobody can play what the engine cannot follow
+        except RuntimeError:  # a stroke that the engine cannot follow is not played
             return Verdict(NO_BALL, foul=True)
         return self._rules.verdict(after.log.contacts(), self._turn)

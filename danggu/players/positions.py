@@ -1,7 +1,7 @@
 """Where the balls lie: opening positions on the standard spots, and a shelf to practise on.
 
 Places are in diamonds, as players write them: (0, 0) is the south-west corner of the nose lines,
-(8, 4) the north-east one, whatever the size of the table.
+(8, 4) the north-east one, on a table of any size.
 """
 
 from __future__ import annotations
@@ -22,11 +22,15 @@ SAGU, THREE_CUSHION = "sagu", "three_cushion"
 
 @dataclass(frozen=True, slots=True)
 class Position:
-    """Balls by name and their places in diamonds.  `key` names it in the texts.
+    """How the balls lie.
 
+    key: in the texts.
+    game: in which it occurs.
+    balls: by name, their places in diamonds.
+    cue: the name of the cue ball.
     way: what the cue ball meets when it is played as the name says.
     answer: a stroke that goes this way on the game's own table (medium for 4-ball, match for
-    three-cushion): direction in degrees, speed in m/s, tip right and up in radii of the ball.
+    three-cushion): direction in degrees, speed in m/s, tip right and up in radii of the ball;
     `tools/shelf_answers.py` finds it, the tests play it.
     """
 

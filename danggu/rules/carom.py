@@ -19,7 +19,7 @@ KEYS = {0: "straight", 1: "one_cushion", 3: "three_cushion"}
 
 @dataclass(frozen=True, slots=True)
 class Carom:
-    """Both other balls, the second one after `cushions` cushion contacts: 3, 1 or 0.
+    """A point for both other balls, the second one after enough cushions.
 
     bank        points of a cannon that met a cushion before the first ball (the PBA gives 2)
     red_first   the opening stroke must hit the red before the other ball

@@ -1,4 +1,4 @@
-"""A table without rules: every stroke is told, none is judged."""
+"""A table without rules: every stroke is described, none is judged."""
 
 from __future__ import annotations
 
@@ -14,7 +14,11 @@ FREE = "free"
 
 @dataclass(frozen=True, slots=True)
 class Free:
-    """The same player stays at the table for ever; `balls` are whatever lies on it."""
+    """The same player stays at the table.
+
+    balls: names of all balls on the table.
+    cues: names of the cue balls, in the order of play.
+    """
 
     balls: tuple[str, ...] = ("white", "yellow", "red1", "red2")
     cues: tuple[str, ...] = ("white",)

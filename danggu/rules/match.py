@@ -12,7 +12,11 @@ from .verdict import Rules, Turn, Verdict
 
 @dataclass(frozen=True, slots=True)
 class Player:
-    """A name and a handicap (수지): the points to reach, or None to play without end."""
+    """One of a match.
+
+    name: any text.
+    target: the handicap (수지), points to reach, or None to play without end.
+    """
 
     name: str
     target: int | None = None
@@ -24,7 +28,13 @@ class Player:
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """A player's score sheet.  An inning counts from its first stroke; `best` is the high run."""
+    """A player's score sheet.
+
+    score: points.
+    innings: each counts from its first stroke.
+    strokes, made, fouls: how many, how many of them scored, how many were fouls.
+    best: the high run.
+    """
 
     score: int = 0
     innings: int = 0
@@ -52,7 +62,7 @@ class Sheet:
 
 @dataclass(frozen=True, slots=True)
 class Match:
-    """Who has what and who is at the table.
+    """The state of play: the scores, and which player is at the table.
 
     at      index of the player at the table
     visit   strokes made in the present inning

@@ -23,10 +23,12 @@ NO_RED, OPPONENT_BALL = "no_red", "opponent_ball"
 class Sagu:
     """The game with its house rules.
 
-    finish      how it ends: "none", at the target; "last_point_3c", the last point must come off
-                three cushions; "extra_3c", after the last point one more stroke off three cushions
-    penalty     points that a foul costs
-    floor_zero  the score never falls below zero
+    finish: how it ends: "none", at the target; "last_point_3c", the last point must come off three
+    cushions; "extra_3c", after the last point one more stroke off three cushions.
+    penalty: points that a foul costs.
+    floor_zero: the score never falls below zero.
+    cues: names of the cue balls, in the order of play.
+    reds: names of the reds.
     """
 
     finish: str = EXTRA_3C

@@ -43,13 +43,18 @@ class Event(Protocol):
 
 def counts(event: Event) -> bool:
     """Whether it is a contact of its own, and not one with a cushion that has not been left."""
-    # entries written by hand may not say how far the ball had been: it came from afar
+    # an entry written by hand may not say how far the ball had been: then it came from afar
     return getattr(event, "away", inf) > LEFT
 
 
 @dataclass(frozen=True, slots=True)
 class Touch:
-    """The cue ball met `what`, a ball or a wall by name, at `time` s."""
+    """A contact of the cue ball.
+
+    time: s.
+    what: name of the ball or wall that it met.
+    cushion: whether that was a wall.
+    """
 
     time: float
     what: str

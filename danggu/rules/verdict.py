@@ -20,7 +20,7 @@ SAME_INSTANT = "same_instant"  # the last cushion needed, and the last ball
 
 @dataclass(frozen=True, slots=True)
 class Turn:
-    """Who plays what: the cue ball, whether this opens the match, the score before the stroke.
+    """The circumstances of a stroke.
 
     `target` is the player's handicap (수지), or None to play without end; `player` the index of the
     player at the table among `players`, `against` the score of the next one.
@@ -49,12 +49,12 @@ class Turn:
 class Facts:
     """What happened, up to the contact that decided the stroke, or all of it where none did.
 
-    hits      the balls hit, in order, each once, over the whole stroke
-    cushions  cushion contacts of the cue ball
-    bank      those of them before the first ball
-    path      names of balls and walls as they were met
-    decided   when, in s, or None
-    off       balls that left the table: they are to be spotted
+    hits: the balls hit, in order, each once, over the whole stroke.
+    cushions: cushion contacts of the cue ball.
+    bank: those of them before the first ball.
+    path: names of balls and walls as they were met.
+    decided: when, s, or None.
+    off: balls that left the table: they are to be spotted.
     """
 
     hits: tuple[str, ...] = ()

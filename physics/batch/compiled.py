@@ -1,8 +1,8 @@
 """The kernel compiled by numba, from the same source, beside the interpreted one in one process.
 
-numba's cache does not see that another file has changed, nor what it was asked for: so the cache
-folder carries a hash of all that decides on the code, and of where and how old the kernel is. Where
-no such folder can be written to, nothing is kept, least of all beside the source.
+numba's cache notices neither that another file has changed nor which options it was given: so the
+cache folder's name holds a hash of all that decides the code, and of where and how old the kernel
+is. Where no such folder can be written to, nothing is kept, least of all beside the source.
 """
 
 import gc
@@ -66,15 +66,15 @@ def cache_folder() -> Path | None:
 
 
 def _caches() -> Path | None:
-    """Where the user's programs keep what they can do without: as numba or the system is told, or
-    in the home, if there is one."""
+    """The folder of caches: the one that is set for numba or the system, or in the home, if there
+    is one."""
     from numba.core import config
 
     if config.CACHE_DIR:
         return Path(config.CACHE_DIR).absolute()
-    told = Path(os.environ.get("XDG_CACHE_HOME", ""))
-    if told.is_absolute():  # a relative one is to be ignored, says its specification
-        return told
+    given = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    if given.is_absolute():  # its specification says to ignore a relative one
+        return given
     with suppress(RuntimeError):  # a user without name or home
         home = Path.home()
         if home.is_absolute() and os.path.isdir(home):
@@ -92,26 +92,26 @@ def _parts() -> Any:
     from numba.core.codegen import JITCodeLibrary
     from numba.core.compiler import Compiler
 
-    class Part(JITCodeLibrary):  # type: ignore[misc]
+    class PartLibrary(JITCodeLibrary):  # type: ignore[misc]
         @property
         def codegen(self) -> Any:
             return self
 
         def set_env(self, name: str, environment: Any) -> None:
-            """Nor has it globals of Python's."""
+            """It has no Python globals either."""
 
         def get_pointer_to_function(self, name: str) -> int:
-            return 0  # as of all functions without a door for Python
+            return 0  # as for all functions that Python cannot call
 
         def _finalize_final_module(self) -> None:
             self._finalized = True
 
-    class Parts(Compiler):  # type: ignore[misc]
+    class PartCompiler(Compiler):  # type: ignore[misc]
         def compile_extra(self, function: Any) -> Any:
-            self.state.library = Part(self.state.targetctx.codegen(), function.__qualname__)
+            self.state.library = PartLibrary(self.state.targetctx.codegen(), function.__qualname__)
             return super().compile_extra(function)
 
-    return Parts
+    return PartCompiler
 
 
 def _subset(folder: Path | None) -> ModuleType:
@@ -119,14 +119,14 @@ def _subset(folder: Path | None) -> ModuleType:
     from numba import njit
     from numba.core.registry import CPUDispatcher
 
-    # nothing here allocates, so nothing need count references, of which a scene has many
+    # nothing here allocates, so no references need counting, of which a scene has many
     bare = partial(njit, nogil=True, error_model="numpy", _nrt=False, no_cfunc_wrapper=True)
 
     inner = type("Inner", (CPUDispatcher,), {"__call__": _no_door})  # which would crash
     parts = _parts()
 
     def kernel(function: Any) -> Any:
-        """Called by compiled code alone: without a door for Python, and a file of its own."""
+        """Called by compiled code alone: Python cannot, and it has no file of its own."""
         compiled = bare(function, no_cpython_wrapper=True, pipeline_class=parts)
         compiled.__class__ = inner
         return compiled
@@ -176,7 +176,7 @@ def _kernel() -> ModuleType:
     except Exception as error:  # broken files may raise anything, a full disk an OSError
         log.warning("compiling the kernel for this process alone: %s cannot keep it: %r",
                     folder, error)  # fmt: skip
-        shutil.rmtree(folder, ignore_errors=True)  # the next process begins afresh
+        shutil.rmtree(folder, ignore_errors=True)  # the next process starts from scratch
         return _built(None)
 
 
@@ -212,8 +212,8 @@ def _built(folder: Path | None) -> ModuleType:
 def _play_nothing(package: ModuleType) -> None:
     """No shot of one ball: so the kernel is compiled, or read from its folder, here and now.
 
-    Without looking for garbage meanwhile: the compiler leaves little (60 MB) and holds much, so
-    that the search is a seventh of its time.
+    Garbage collection is off meanwhile: the compiler leaves little (60 MB) and holds much, so the
+    collector would take a seventh of the time.
     """
     import numpy as np
 
@@ -234,11 +234,11 @@ def _play_nothing(package: ModuleType) -> None:
 
 
 def _forget(folder: Path) -> None:
-    """Remove the kernels beside this new one that nobody has used for a week.
+    """Remove the kernels beside this new one that have not been used for a week.
 
     Each edit and each release leaves one, of 2 to 6 MB. Another install may still want its own:
-    after a week it waits 20 s for it again. First a folder loses its name, then its files, so
-    nobody finds half of one; one that somebody else removes, or holds open, is left alone.
+    after a week it waits 20 s for it again. A folder is renamed first and then removed, so that no
+    process finds half of one; one that another removes, or holds open, is left alone.
     """
     now = folder.stat().st_mtime
     for other in folder.parent.glob("kernel-*/"):
@@ -248,12 +248,12 @@ def _forget(folder: Path) -> None:
 
 
 def records(items: list[Any], kind: Any) -> Any:
-    """Rows, even of none: `kind` is one such record."""
+    """An array of records, also of none; `kind` is one such record."""
     return rows(items or [kind])[: len(items)]
 
 
 def packed(scene: Scene) -> Any:
-    """The same scene in arrays, with room of its own, for the compiled kernel."""
+    """The same scene in arrays of its own, for the compiled kernel."""
     return _packed(scene, kernel().body)
 
 

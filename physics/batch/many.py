@@ -14,7 +14,7 @@ from physics.checks import LARGEST, array
 from physics.engines.exact import EventDriven
 from physics.kernel import body, calendar, elementary
 from physics.kernel.body import CLIMB, ROLL_X, ROLL_Y, SIDE, VX, VY
-from physics.laws import ForeignRule
+from physics.laws import CustomRule
 from physics.shot import Shot
 from physics.simulation import simulate
 from physics.world import World
@@ -32,7 +32,12 @@ _numbers = attrgetter(*NUMBERS)
 
 
 class Outcomes(NamedTuple):
-    """positions (shots, balls, 2) at rest, m; times (shots,) until rest, s; events (shots,)."""
+    """What `simulate_many` returns, as arrays.
+
+    positions: (shots, balls, 2) at rest, m.
+    times: (shots,) until rest, s.
+    events: (shots,), how many there were.
+    """
 
     positions: npt.NDArray[np.float64]
     times: npt.NDArray[np.float64]
@@ -47,16 +52,16 @@ def simulate_many(
     compiled: bool | None = None,
     progress: Callable[[int], object] | None = None,
 ) -> Outcomes:
-    """What becomes of each shot at `ball`, all from the state the world is in; the world stays as
-    it is.
+    """The outcome of each shot at `ball`, all from the state the world is in, which stays as it is.
 
     shots: `Shot`s, or an array (shots, 5) of speed, angle, follow, masse, side, or (shots, 6) with
-    climb. executor: any of
-    concurrent.futures' kind shares the work: threads (the compiled kernel lets them run at once),
-    processes, a cluster's. compiled: True asks for numba (ImportError without it), False for the
-    interpreter; None takes numba where it is installed and worth it. The digits are the same,
-    and those of `simulate` if all balls lie still before the shot.
-    progress is called with the number of shots done since it was last called.
+    climb.
+    executor: any of concurrent.futures' kind shares the work: threads (the compiled kernel lets
+    them run at once), processes, a cluster's.
+    compiled: True asks for numba (ImportError without it), False for the interpreter; None takes
+    numba where it is installed and worth it. The digits are the same, and those of `simulate` if
+    all balls lie still before the shot.
+    progress: called with the number of shots done since it was last called.
     ValueError names a bad shot, executor or progress; other errors are those of a run.
     """
     import numpy as np
@@ -84,7 +89,7 @@ def simulate_many(
 def _job(
     world: World, name: str, shots: int, compiled: bool | None, np: Any
 ) -> Job | OneByOne:
-    """Who plays the shots."""
+    """What plays the shots."""
     if isinstance(world.engine, EventDriven) and world.cluster_law is None:
         choice = _choose(world, shots, compiled)
         copy = world.copy()
@@ -93,12 +98,12 @@ def _job(
         before = np.array([start(ball.disturb()) for ball in copy.balls])
         return Job(world.scene, before, struck, world.engine.budget, choice, CHUNK)
     if compiled:
-        raise ValueError("this engine or cluster law runs interpreted: compiled=True cannot be")
+        raise ValueError("this engine or cluster law runs interpreted: not with compiled=True")
     return OneByOne(world.copy(), name)
 
 
 def _parts(job: Job | OneByOne, pieces: list[Any], executor: Executor | None) -> Iterator[Any]:
-    """What becomes of the pieces, in their order; if one fails, those not begun are dropped."""
+    """The outcomes of the pieces, in their order; if one fails, those not begun are dropped."""
     if executor is None:
         yield from map(job.run, pieces)
         return
@@ -112,7 +117,7 @@ def _parts(job: Job | OneByOne, pieces: list[Any], executor: Executor | None) ->
 
 
 def _table(shots: Any, np: Any) -> Any:
-    """The shots as an array (shots, 5 or 6), each of them one that could be played."""
+    """The shots as an array (shots, 5 or 6); ValueError if one of them cannot be played."""
     try:
         if not isinstance(shots, np.ndarray):
             shots = [_numbers(shot) if isinstance(shot, Shot) else shot for shot in shots]
@@ -138,14 +143,14 @@ def start(ball: body.Body) -> tuple[float, ...]:
 
 
 def _choose(world: World, shots: int, compiled: bool | None) -> bool:
-    """Compiled or not?  A law from outside cannot be compiled."""
+    """Whether to use the compiled kernel; a custom law cannot be compiled."""
     rules = world.scene.ball_rule, world.scene.cushion_rule
-    foreign = any(isinstance(rule, ForeignRule) for rule in rules)
-    if compiled and foreign:
-        raise ValueError("a law from outside runs interpreted: compiled=True cannot be had")
+    custom = any(isinstance(rule, CustomRule) for rule in rules)
+    if compiled and custom:
+        raise ValueError("a custom law runs interpreted: not with compiled=True")
     if compiled is None:
         worth = shots >= WORTH and importlib.util.find_spec("numba") is not None
-        return worth and not foreign
+        return worth and not custom
     return compiled
 
 
@@ -218,7 +223,7 @@ class OneByOne(NamedTuple):
 
     world: World
     ball: str
-    budget: float = inf  # every run heeds its own
+    budget: float = inf  # every run has its own
     chunk: int = 64
 
     def run(self, table: Any) -> tuple[Any, Any, Any]:

@@ -32,7 +32,7 @@ PATIENCE = 1.0  # s: what is done by then needs no bar
 
 
 def add_options(one: argparse.ArgumentParser) -> None:
-    """What the command `sweep` takes besides a scene, its laws and its engine."""
+    """The options of `sweep` besides a scene, its laws and its engine."""
     one.add_argument("--ball", help="which ball is struck (the scene's first)")
     for name, default in zip(NUMBERS, (None, *"00000"), strict=True):
         one.add_argument(
@@ -54,7 +54,7 @@ def values(text: str) -> list[float]:
             return numbers
         low, high, step = numbers
         steps = (high - low) / step
-        # reckoned, not added up: the last one is the end itself where the steps fit
+        # products, not sums of steps: the last one is the end itself where the steps fit
         if isfinite(low) and 0.0 <= steps < MOST:
             return [low + k * step for k in range(floor(steps + 1e-9) + 1)]
     except (ValueError, ZeroDivisionError):
@@ -63,7 +63,7 @@ def values(text: str) -> list[float]:
 
 
 def count(text: str) -> int:
-    """How many workers."""
+    """A number of workers."""
     if re.fullmatch(r"\d{1,9}", text) and int(text) > 0:
         if int(text) > CROWD:
             raise argparse.ArgumentTypeError(f"{text!r} are too many: at most {CROWD}")
@@ -72,7 +72,7 @@ def count(text: str) -> int:
 
 
 def sweep(world: World, options: argparse.Namespace) -> str:
-    """Play all shots and write what is wanted; returns what to say of it."""
+    """Play all shots and write what was asked for; returns a line about it."""
     import numpy as np
 
     ball = world.ball(options.ball) if options.ball else world.balls[0]
@@ -101,7 +101,7 @@ def sweep(world: World, options: argparse.Namespace) -> str:
 
 
 def pool(threads: int | None, processes: int | None) -> Any:
-    """Who does the work: this thread alone, threads or processes."""
+    """What does the work: this thread alone, threads or processes."""
     if threads:
         return ThreadPoolExecutor(threads)
     return ProcessPoolExecutor(processes) if processes else nullcontext()
@@ -109,7 +109,7 @@ def pool(threads: int | None, processes: int | None) -> Any:
 
 @contextmanager
 def bar(total: int) -> Iterator[Callable[[int], object] | None]:
-    """A progress bar on the terminal for what takes long, where tqdm is installed."""
+    """A progress bar on the terminal for long runs, where tqdm is installed."""
     try:
         from tqdm import tqdm
     except ImportError:
@@ -120,7 +120,7 @@ def bar(total: int) -> Iterator[Callable[[int], object] | None]:
 
 
 def write(file: str, names: list[str], shots: Any, outcomes: Outcomes) -> None:
-    """A line of names, then one a shot: its six numbers, time to rest, events, places at rest."""
+    """A line of names, then one for each shot: its six numbers, time, events, places at rest."""
     places = [f"{name} {axis}" for name in names for axis in "xy"]
     with nullcontext(sys.stdout) if file == "-" else open(file, "w", newline="") as out:
         rows = csv.writer(out)

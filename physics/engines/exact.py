@@ -2,58 +2,35 @@
 
 from dataclasses import dataclass
 from math import inf
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol
+from typing import Any, ClassVar
 
 from physics.checks import keep, nonnegative, positive
+from physics.engines.engine import Movable
 from physics.kernel.calendar import earliest, happen, plan_meetings, soonest, start_leg
 from physics.kernel.grid import locate
 from physics.kernel.impulses import WALL
 from physics.kernel.kinds import CLUSTER, LASTING, PAIR, UNSOLVED
 
-if TYPE_CHECKING:
-    from physics.world import World
-
-
-class Engine(Protocol):
-    """What moves a world on."""
-
-    @property
-    def vmin(self) -> float:
-        """m/s: the least speed at which what touched parts."""
-
-    def plan(self, world: "World", disturbed: list[int]) -> None:
-        """Take in that somebody has put or pushed these balls just now."""
-
-    def advance(self, world: "World", until: float) -> float:
-        """All that happens up to world time `until`; returns how long after the epoch it came."""
-
-
-def an_engine(thing: Engine) -> Engine:
-    """It, or ValueError if it is none."""
-    if isinstance(thing, type) or not all(hasattr(thing, a) for a in ("vmin", "plan", "advance")):
-        raise ValueError(f"an engine is an EventDriven(...) or TimeStepping(...), not {thing!r}")
-    return thing
-
 
 class EventBudgetError(RuntimeError):
-    """More events than there may be.
+    """The event budget was exceeded.
 
-    `.scene` is the world when a ball was last put or pushed, as plain data that JSON can hold and
-    `physics.store.restore` makes a world of.
+    `.scene` is the world when a ball was last placed or pushed, as plain data that JSON can hold
+    and that `physics.store.restore` makes a world of.
     """
 
     def __init__(self, budget: int, time: float, scene: dict[str, Any]) -> None:
         super().__init__(f"more than {budget} events by t = {time!r} s; the scene is in .scene")
         self.scene = scene
-        self._told = budget, time, scene
+        self._given = budget, time, scene
 
     def __reduce__(self) -> Any:
         """It may come from another process."""
-        return type(self), self._told
+        return type(self), self._given
 
 
 class ContactError(RuntimeError):
-    """No impulses were found that make all the balls that touch at one instant part.
+    """No impulses were found that make all balls touching at one instant part.
 
     `.scene` is as in EventBudgetError; nothing of that instant has been applied to the log.
     """
@@ -61,18 +38,19 @@ class ContactError(RuntimeError):
     def __init__(self, time: float, scene: dict[str, Any]) -> None:
         super().__init__(f"no impulses make all contacts part at t = {time!r} s; see .scene")
         self.scene = scene
-        self._told = time, scene
+        self._given = time, scene
 
     def __reduce__(self) -> Any:
         """It may come from another process."""
-        return type(self), self._told
+        return type(self), self._given
 
 
 @dataclass(frozen=True, slots=True)
 class EventDriven:
-    """Exact in time and place; touching things part with at least `vmin`, m/s.
+    """Exact in time and place.
 
-    `budget`: how many events there may be after a ball was last put or pushed; one more raises
+    vmin: the least speed at which touching bodies separate, m/s.
+    budget: how many events there may be after a ball was last placed or pushed; one more raises
     EventBudgetError.
     """
 
@@ -85,7 +63,7 @@ class EventDriven:
         keep(self, nonnegative, "vmin")
         positive("EventDriven.budget", self.budget)
 
-    def plan(self, world: "World", disturbed: list[int]) -> None:
+    def plan(self, world: Movable, disturbed: list[int]) -> None:
         scene, balls = world.scene, world.scene.balls
         for i in disturbed:
             if scene.celled:
@@ -97,7 +75,7 @@ class EventDriven:
         world.due = balls[soonest(scene)].next if balls else inf
         world.allowed = len(world.log) + self.budget
 
-    def advance(self, world: "World", until: float) -> float:
+    def advance(self, world: Movable, until: float) -> float:
         scene, log, epoch = world.scene, world.log, world.epoch
         balls, fade, celled = scene.balls, scene.cloth.fade, scene.celled
         time, law, left = world.now, world.cluster_law, world.allowed - len(log)
@@ -127,19 +105,19 @@ class EventDriven:
 
 
 def _springs(i: int, scene: Any, law: Any) -> Any:
-    from .hertz import happen  # loaded only by whom it serves
+    from .hertz import happen  # imported on first use: only Hertz worlds need it
 
     return happen(i, scene, law)
 
 
-def _scene(world: "World", budget: int) -> Any:
+def _scene(world: Movable, budget: int) -> Any:
     from physics.files.record import planned_data
 
     return planned_data(world, budget)
 
 
-def _note_cluster(world: "World", time: float, contacts: int, lasting: bool) -> int:
-    """Enter it in the log; returns how many events it counts as, which is never none."""
+def _note_cluster(world: Movable, time: float, contacts: int, lasting: bool) -> int:
+    """Enter it in the log; returns how many events it counts as, at least one."""
     ties = world.scene.ties.contacts[:contacts]
     asked = [(tie.first, tie.second, tie.target) for tie in ties] if lasting else []
     pairs = [(tie.first, tie.second, tie.total) for tie in ties if tie.total > 0.0]

@@ -1,8 +1,8 @@
-"""Touching clusters, accurately: springs of Hertz between the balls, till all have parted.
+"""Touching clusters, accurately: springs of Hertz between the balls, until all have parted.
 
 Every contact pushes with F = k δ^(3/2) (1 + λ δ'), δ its overlap, along a line of centres that
-stays as it is (docs/physics.md, "Clusters"). What comes of it depends neither on speed nor on
-stiffness nor on radius, so all is reckoned with the greatest closing speed, a mass and a k of 1.
+stays as it is (docs/physics.md, "Clusters"). The outcome depends neither on speed nor on
+stiffness nor on radius, so all is computed with the greatest closing speed, a mass and a k of 1.
 """
 
 from collections.abc import Sequence
@@ -46,9 +46,9 @@ Contacts = list[tuple[int, int]]
 
 
 def happen(i: int, scene: Scene, law: "HertzCluster") -> Any:
-    """The next event of ball i: (what, with whom) as the kernel's own.
+    """The next event of ball i, as the kernel's own function returns it.
 
-    It is the kernel's own, but for clusters that close with more than the least parting speed.
+    It is the kernel's own, except for clusters that close with more than the least parting speed.
     """
     balls, rule = scene.balls, scene.ball_rule
     if scene.celled and pass_by(i, balls, scene.grid):
@@ -64,7 +64,7 @@ def happen(i: int, scene: Scene, law: "HertzCluster") -> Any:
         carry(balls[m], time, scene.cloth)
     closing = [closing_speed(balls[a], balls[b]) for a, b in contacts]
     quiet = max(closing) <= rule.parting or leans(ball, balls[j], scene.cloth)
-    if quiet:  # what lasts is the kernel's
+    if quiet:  # contacts that last are the kernel's
         return happen_quickly(i, scene)
     e = _restitution(law, rule)
     pushes = outcome([balls[m] for m in members], _within(contacts, members), e)
@@ -78,7 +78,7 @@ def happen(i: int, scene: Scene, law: "HertzCluster") -> Any:
 
 
 def gather(i: int, j: int, time: float, balls: Any, gap: float) -> tuple[list[int], Contacts]:
-    """The balls that hang together with i and j by gaps below `gap`, m; and their contacts."""
+    """The balls connected with i and j by gaps below `gap`, m; and their contacts."""
     members, contacts = [i, j], [(i, j)]
     for a in members:
         spot = place(balls[a], time - balls[a].since)
@@ -101,7 +101,7 @@ def _within(contacts: Contacts, members: list[int]) -> Contacts:
 
 def _restitution(law: "HertzCluster", rule: Any) -> float:
     if law.e is None and rule.kind == FOREIGN_BALL:
-        raise ValueError("HertzCluster.e must be given: a ball law from outside does not tell it")
+        raise ValueError("HertzCluster.e must be given: a custom ball law has no such number")
     return max(LEAST, rule.restitution if law.e is None else law.e)
 
 
@@ -138,8 +138,7 @@ def _rub(contacts: int, scene: Scene) -> bool:
 
 
 def outcome(balls: Sequence[Body], contacts: Contacts, e: float) -> list[float]:
-    """The impulse along the table, N s, that every contact (ball, ball) has passed when all have
-    parted.
+    """The impulse along the table, N s, of every contact (ball, ball) until all have parted.
 
     All contacts begin to touch at once; one that closes with the greatest speed, alone, parts with
     e times that speed.
@@ -218,13 +217,13 @@ def _follow(closing: Any, yielding: Any, springs: Any, damp: float, np: Any) -> 
                 break
         y, rate, h = _step(y, rate, h, rates, np)
     pushes = y[n:]
-    # the steps err by 1e-7 of the energy at most; what they have made of it, this takes back
+    # the steps err by 1e-7 of the energy at most; any gain of it is taken back here
     taken = ((yielding * pushes).sum(axis=-1) * pushes).sum()
     return pushes * min(1.0, 2.0 * (closing * pushes).sum() / taken)
 
 
 def _flight(overlaps: Any, speeds: Any, np: Any) -> float:
-    """How long till the next contact when none is pressed: 0 if none comes."""
+    """How long until the next contact when none is pressed: 0 if none comes."""
     comes = (overlaps < 0.0) & (speeds > QUIET)
     if ((overlaps >= 0.0) & (speeds > QUIET)).any() or not comes.any():
         return 0.0
@@ -232,7 +231,7 @@ def _flight(overlaps: Any, speeds: Any, np: Any) -> float:
 
 
 def _step(y: Any, rate: Any, h: float, rates: Any, np: Any) -> tuple[Any, Any, float]:
-    """One step of Dormand and Prince, tried till its error is small; and the next one's length."""
+    """One step of Dormand and Prince, tried until its error is small; and the next one's length."""
     while True:
         k = np.empty((7, len(y)))
         k[0] = rate
@@ -248,5 +247,5 @@ def _step(y: Any, rate: Any, h: float, rates: Any, np: Any) -> tuple[Any, Any, f
 
 
 def _weighed(weights: Sequence[float], rates: Any, np: Any) -> Any:
-    """The sum of so many of the rates, with their weights."""
+    """The weighted sum of the rates, as many as there are weights."""
     return (np.array(weights)[:, None] * rates[: len(weights)]).sum(axis=0)

@@ -8,17 +8,15 @@ Constants and laws are its own; walls, radii and masses are the world's.
 """
 
 from math import sqrt
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from physics.engines.engine import Movable
 from physics.kernel.kinds import CUSHION, PAIR, RESTING, SLIDING
 from physics.kernel.motion import length
 from physics.kernel.obstacle import clearance, facing
 from physics.kernel.tilt import between
 
 from .overlap import catch_up, kept, mark, note
-
-if TYPE_CHECKING:
-    from physics.world import World
 
 WALL_RESTITUTION = 0.9
 WALL_FRICTION = (0.2, 0.5)  # multiplied one after the other
@@ -28,13 +26,13 @@ ROLL = 0.01
 ROLL_SPEED = 7.0  # m/s: rolling friction is ROLL times this over the speed
 SPIN_DECAY = 10.0  # rad/s²
 GRAVITY = 9.8  # m/s²
-LEVEL = sqrt(21.0 / 25.0)  # distance of the nose's contact from the vertical axis, in radii
+REACH = sqrt(21.0 / 25.0)  # distance of the nose's contact from the vertical axis, in radii
 WALL_NUDGE = 0.5  # of a substep: how far a ball is moved on from a contact
 BALL_NUDGE = 0.25
 
 
-def start(world: "World", disturbed: list[int]) -> None:
-    """Balls that somebody has put or pushed, and all others with them, are at a substep's start."""
+def start(world: Movable, disturbed: list[int]) -> None:
+    """Placed or pushed balls, and all others with them, are at a substep's start."""
     catch_up(world)
     for i, ball in enumerate(world.scene.balls):
         roll, side = ball.roll, ball.side
@@ -61,13 +59,13 @@ def spin(ball: Any) -> tuple[complex, float]:
 
 
 def begin(ball: Any, a: complex, w: complex, wz: float) -> None:
-    """The leg that the world reads: all forces of the program act at the cloth, as sliding does."""
+    """The leg that the world reads: the program's forces all act at the cloth, as in sliding."""
     ball.acceleration = a
     ball.roll, ball.side = -1j * w * ball.radius, wz * ball.radius
     ball.phase = RESTING if ball.velocity == 0j and w == 0j else SLIDING
 
 
-def substep(world: "World", time: float, dt: float, k: int) -> None:
+def substep(world: Movable, time: float, dt: float, k: int) -> None:
     """Motion, collisions, accelerations: the program's order, begun at its last third."""
     balls = world.scene.balls
     for ball in balls:
@@ -131,7 +129,7 @@ def forces(
     return a, alpha, -SPIN_DECAY if wz >= SPIN_DECAY * dt else -wz * rate
 
 
-def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
+def bounce(world: Movable, time: float, dt: float, i: int, n: int) -> None:
     """Ball i overlaps wall n, coming or going."""
     ball = world.scene.balls[i]
     normal = facing(world.scene.walls[n], ball.position)
@@ -140,7 +138,7 @@ def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
     toward = (v * normal.conjugate()).real
     w += (1 + WALL_RESTITUTION) / r * -toward * (1j * normal)
     ball.velocity += (1 + WALL_RESTITUTION) * -toward * normal
-    slip = -(LEVEL * r) * (1j * (wz * normal)) + (v - toward * normal)
+    slip = -(REACH * r) * (1j * (wz * normal)) + (v - toward * normal)
     size = length(slip)
     if size > 0.0:
         rub = m * (1 + WALL_RESTITUTION) * -toward * WALL_FRICTION[0] * WALL_FRICTION[1]
@@ -148,14 +146,14 @@ def bounce(world: "World", time: float, dt: float, i: int, n: int) -> None:
             rub = 0.5 * size
         impulse = rub * (-1 * (slip / size))
         ball.velocity += impulse / m
-        lever = -1 * r * LEVEL * normal
+        lever = -1 * r * REACH * normal
         wz += (lever.conjugate() * impulse).imag / (2 * (m * (r * r)) / 5)
     ball.position += WALL_NUDGE * ball.velocity * dt
     leave(world, time, i, w, wz)
     note(world, time, CUSHION, i, n)
 
 
-def meet(world: "World", time: float, dt: float, i: int, j: int) -> None:
+def meet(world: Movable, time: float, dt: float, i: int, j: int) -> None:
     """Balls i and j overlap, coming or going: what each had along the line, the other gets."""
     a, b = world.scene.balls[i], world.scene.balls[j]
     (wa, za), (wb, zb) = come(world, i), come(world, j)
@@ -175,8 +173,8 @@ def meet(world: "World", time: float, dt: float, i: int, j: int) -> None:
         note(world, time, PAIR, i, j)
 
 
-def come(world: "World", i: int) -> tuple[complex, float]:
-    """The spin with which ball i comes to a contact; for the log, the state it comes in."""
+def come(world: Movable, i: int) -> tuple[complex, float]:
+    """The spin with which ball i comes to a contact; its state then goes into the log."""
     ball = world.scene.balls[i]
     w, wz = spin(ball)
     begin(ball, 0j, w, wz)
@@ -184,8 +182,8 @@ def come(world: "World", i: int) -> tuple[complex, float]:
     return w, wz
 
 
-def leave(world: "World", time: float, i: int, w: complex, wz: float) -> None:
-    """What a contact has left ball i with; its acceleration follows when all contacts are done."""
+def leave(world: Movable, time: float, i: int, w: complex, wz: float) -> None:
+    """Ball i after a contact; its acceleration follows when all contacts are done."""
     ball = world.scene.balls[i]
     begin(ball, 0j, w, wz)
     remember(ball, w, wz)

@@ -1,6 +1,6 @@
 """Euler and Runge-Kutta on the equations of motion, as a textbook has them.
 
-What friction does is asked at the step's start, or at its four stages; where it would reverse the
+Friction is evaluated at the step's start, or at its four stages; where it would reverse the
 slip or the ball within the step, the slip or the ball stops at the step's end. Between such points
 the motion is quadratic in time, so Euler is of order 1 there and Runge-Kutta exact; through them,
 and through contacts, both are of order 1.
@@ -9,15 +9,13 @@ and through contacts, both are of order 1.
 from collections.abc import Callable
 from functools import partial
 from math import inf
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
+from physics.engines.engine import Movable
 from physics.kernel.kinds import RESTING, ROLLING
 from physics.kernel.motion import faded, motion
 
 from .overlap import bring, catch_up, contacts, end_phase, kept, launch, mark, touching
-
-if TYPE_CHECKING:
-    from physics.world import World
 
 HALVINGS = 50  # of a step: to the last digits of the time of contact
 
@@ -62,8 +60,8 @@ def rk4(now: Motion, h: float, rate: Rate) -> Motion:
     return now.plus(h / 6, first).plus(h / 3, second).plus(h / 3, third).plus(h / 6, fourth)
 
 
-def start(world: "World", disturbed: list[int]) -> None:
-    """Balls that somebody has put or pushed, and all others with them, are at a step's start."""
+def start(world: Movable, disturbed: list[int]) -> None:
+    """Placed or pushed balls, and all others with them, are at a step's start."""
     catch_up(world)
     for i in disturbed:
         launch(world.scene.balls[i], world.scene.cloth)
@@ -80,8 +78,8 @@ def trial(ball: Any, h: float, cloth: Any, integrator: Integrator) -> Motion:
     return integrator(Motion(ball.position, ball.velocity, ball.roll), h, rate)
 
 
-def move(world: "World", time: float, integrator: Integrator) -> None:
-    """All balls as far as `time`."""
+def move(world: Movable, time: float, integrator: Integrator) -> None:
+    """Move all balls to `time`."""
     cloth = world.scene.cloth
     for i, ball in enumerate(world.scene.balls):
         if ball.phase == RESTING:
@@ -99,8 +97,8 @@ def move(world: "World", time: float, integrator: Integrator) -> None:
         end_phase(world, time, i)
 
 
-def substep(world: "World", time: float, ahead: float, k: int, integrator: Integrator) -> None:
-    """Motion as far as `time`, then the contacts that it has led to."""
+def substep(world: Movable, time: float, ahead: float, k: int, integrator: Integrator) -> None:
+    """Motion up to `time`, then the contacts that it has led to."""
     move(world, time, integrator)
     contacts(world, time)
     if kept(k, ahead):
@@ -109,7 +107,7 @@ def substep(world: "World", time: float, ahead: float, k: int, integrator: Integ
                 mark(world, i)
 
 
-def located(world: "World", time: float, ahead: float, k: int) -> None:
+def located(world: Movable, time: float, ahead: float, k: int) -> None:
     """Runge-Kutta; and a contact due within the step to come ends that step where it happens."""
     substep(world, time, ahead, k, rk4)
     for ball in world.scene.balls:
@@ -123,7 +121,7 @@ def located(world: "World", time: float, ahead: float, k: int) -> None:
     world.scene.balls[0].next = high
 
 
-def touches(world: "World", h: float) -> bool:
+def touches(world: Movable, h: float) -> bool:
     """Will anything overlap and approach h seconds after the step's start?"""
     there = [trial(ball, h, world.scene.cloth, rk4) for ball in world.scene.balls]
     spots = [ball.position for ball in there]

@@ -1,8 +1,9 @@
 """Contacts noticed on a grid of times: two things overlap, and still approach each other."""
 
 from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from physics.engines.engine import Movable
 from physics.kernel.body import Scene
 from physics.kernel.kinds import CUSHION, PAIR, REST, RESTING, ROLL
 from physics.kernel.laws import hit_ball, hit_wall
@@ -10,25 +11,22 @@ from physics.kernel.leg import begin, carry, place, settle
 from physics.kernel.obstacle import clearance, facing
 from physics.kernel.tilt import between
 
-if TYPE_CHECKING:
-    from physics.world import World
-
 KEEP = 1 / 2000  # s between legs in the log: every leg of a finer grid would fill the memory
 
 
 def launch(ball: Any, cloth: Any) -> None:
-    """How friction moves the ball from now on, and until when, whatever it may meet."""
+    """How friction moves the ball from now on, and until when, if it meets nothing."""
     ball.leg_end = ball.next = ball.since + begin(ball, cloth)
 
 
-def catch_up(world: "World") -> None:
-    """Bring every ball along its leg to now: a grid that begins anew begins with all of them."""
+def catch_up(world: Movable) -> None:
+    """Bring every ball along its leg to now: a new grid begins with all of them."""
     for ball in world.scene.balls:
         if ball.phase >= RESTING:
             carry(ball, world.now, world.scene.cloth)
 
 
-def mark(world: "World", i: int) -> None:
+def mark(world: Movable, i: int) -> None:
     """Enter in the log the leg that ball i is on."""
     world.log.begin(i, world.epoch, world.scene.balls[i], world.scene.cloth.fade)
 
@@ -38,12 +36,12 @@ def kept(k: int, dt: float) -> bool:
     return k % max(1, int(KEEP / dt)) == 0
 
 
-def note(world: "World", time: float, kind: int, i: int, other: int) -> None:
+def note(world: Movable, time: float, kind: int, i: int, other: int) -> None:
     """Enter in the log what has happened, after the new legs."""
     world.log.note(world.epoch, time, kind, i, other)
 
 
-def end_phase(world: "World", time: float, i: int) -> None:
+def end_phase(world: Movable, time: float, i: int) -> None:
     """Ball i, at `time` already, stops sliding or rolling."""
     ball = world.scene.balls[i]
     settle(ball)
@@ -55,10 +53,10 @@ def end_phase(world: "World", time: float, i: int) -> None:
 def touching(
     scene: Scene, spots: list[complex], speed: Callable[[int], complex]
 ) -> Iterator[tuple[int, int, int]]:
-    """(PAIR, ball, ball) or (CUSHION, ball, wall) for all that overlap and approach, in order.
+    """(PAIR, ball, ball) or (CUSHION, ball, wall), in order, where two overlap and approach.
 
-    The balls are at `spots`; ball i's velocity is speed(i), asked anew each time: a contact found
-    here may have changed it by then.
+    The balls are at `spots`; ball i's velocity is speed(i), asked each time: a contact found here
+    may have changed it by then.
     """
     balls = scene.balls
     for i, (ball, p) in enumerate(zip(balls, spots, strict=True)):
@@ -81,7 +79,7 @@ def touching(
                 yield CUSHION, i, k
 
 
-def contacts(world: "World", time: float) -> None:
+def contacts(world: Movable, time: float) -> None:
     """All contacts that are there at `time`, in the order of balls and walls; the world's laws."""
     balls = world.scene.balls
 
@@ -95,7 +93,7 @@ def contacts(world: "World", time: float) -> None:
         (meet if kind == PAIR else bounce)(world, time, i, other)
 
 
-def bring(world: "World", time: float, i: int) -> Any:
+def bring(world: Movable, time: float, i: int) -> Any:
     """Ball i at `time`, on a leg that the log knows."""
     ball = world.scene.balls[i]
     if ball.since == time:  # an integrator has put it here
@@ -104,7 +102,7 @@ def bring(world: "World", time: float, i: int) -> Any:
     return ball
 
 
-def meet(world: "World", time: float, i: int, j: int) -> None:
+def meet(world: Movable, time: float, i: int, j: int) -> None:
     """Balls i and j collide."""
     a, b = bring(world, time, i), bring(world, time, j)
     hit_ball(a, b, world.scene.ball_rule)
@@ -114,7 +112,7 @@ def meet(world: "World", time: float, i: int, j: int) -> None:
     note(world, time, PAIR, i, j)
 
 
-def bounce(world: "World", time: float, i: int, k: int) -> None:
+def bounce(world: Movable, time: float, i: int, k: int) -> None:
     """Ball i hits wall k."""
     scene = world.scene
     ball = bring(world, time, i)

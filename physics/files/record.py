@@ -2,17 +2,15 @@
 
 from dataclasses import asdict, fields, is_dataclass
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from physics.ball import Ball
+from physics.engines.engine import Movable
 from physics.kernel.kinds import PHASE_NAMES
 from physics.kernel.lasting import NEVER
 from physics.shot import Shot
 
-if TYPE_CHECKING:
-    from physics.world import World
-
-HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of what is named
+HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of named things
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
 DISTURBED = "disturbed"
 COMPLEX = ("position", "velocity", "acceleration", "roll")
@@ -28,7 +26,7 @@ def shot_data(shot: Shot) -> Data:
     return {"danggu": "shot", "version": VERSION, **asdict(shot)}
 
 
-def world_data(world: "World") -> Data:
+def world_data(world: Movable) -> Data:
     """All that decides how the world goes on; not its log."""
     clock = world.clock
     return {
@@ -50,9 +48,9 @@ def world_data(world: "World") -> Data:
     }
 
 
-def planned_data(world: "World", budget: int) -> Data:
-    """The world as it was when a ball was last put or pushed, `budget` events before the last that
-    is allowed; from its log."""
+def planned_data(world: Movable, budget: int) -> Data:
+    """The world as it was when a ball was last placed or pushed, `budget` events before the last
+    allowed one; from its log."""
     data = world_data(world)
     now = world.planned - world.epoch
     data["now"], data["due"] = now, None
@@ -66,13 +64,13 @@ def planned_data(world: "World", budget: int) -> Data:
     return data
 
 
-def insist_on_names(world: "World") -> None:
+def insist_on_names(world: Movable) -> None:
     """ValueError for a ball, a law or an engine that a file cannot name."""
     for what in ("ball law", "cushion law", "engine"):
         thing = getattr(world, what.replace(" ", "_"))
         if not _ours(thing):
             raise ValueError(
-                f"the {what} {getattr(thing, '__name__', thing)!r} comes from outside: only the"
+                f"the {what} {getattr(thing, '__name__', thing)!r} is a custom one: only the"
                 " laws and engines of this package can be saved"
             )
     for ball in world.balls:
@@ -80,8 +78,8 @@ def insist_on_names(world: "World") -> None:
             raise ValueError(f"ball {ball.name!r}: only names that are text can be saved")
 
 
-def foresees(world: "World") -> bool:
-    """Does all that the engine has planned follow from the legs?  Then it need not be kept."""
+def foresees(world: Movable) -> bool:
+    """Does everything that the engine has planned follow from the legs?  Then it is not kept."""
     return bool(getattr(world.engine, "foresees", False))
 
 
@@ -99,9 +97,9 @@ def _ours(thing: Any) -> bool:
 
 
 def _named(thing: Any) -> Data:
-    """A law or an engine by its name; of one from outside, the name is all there is to tell."""
+    """A law or an engine as data; of a custom one, only its name."""
     if not _ours(thing):
-        return {"name": f"{getattr(thing, '__name__', thing)} (from outside)"}
+        return {"name": f"{getattr(thing, '__name__', thing)} (custom)"}
     return {"name": type(thing).__name__, **asdict(thing)}
 
 

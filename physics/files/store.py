@@ -40,7 +40,7 @@ NUMBERS = {name: number for number, name in PHASE_NAMES.items()}
 def dumps(thing: World | Shot) -> str:
     """The world or the shot as JSON text; a world without its log.
 
-    ValueError for a law or an engine from outside, which no file can hold.
+    ValueError for a custom law or engine, which no file can hold.
     """
     if isinstance(thing, Shot):
         data = shot_data(thing)
@@ -53,7 +53,7 @@ def dumps(thing: World | Shot) -> str:
 
 
 def loads(text: str) -> World | Shot:
-    """What `dumps` made text of; ValueError, saying what is wrong and where, for anything else."""
+    """The inverse of `dumps`; ValueError, saying what is wrong and where, for any other text."""
     try:
         data = json.loads(text)
     except json.JSONDecodeError as error:
@@ -64,15 +64,15 @@ def loads(text: str) -> World | Shot:
 
 
 def save(thing: World | Shot, path: str | os.PathLike[str]) -> None:
-    """Write `dumps` to a file, all of it or nothing; OSError where that cannot be.
+    """Write `dumps` to a file, all of it or nothing; OSError where that is impossible.
 
-    What is there must be a regular file, or a link to one, which stays a link.
+    A file that is there already must be a regular one, or a link to one, which stays a link.
     """
     whole_files.replace(path, dumps(thing).encode())
 
 
 def load(path: str | os.PathLike[str]) -> World | Shot:
-    """What `save` wrote; ValueError, naming the file, what is wrong and where."""
+    """The inverse of `save`; ValueError, naming the file, what is wrong and where."""
     try:
         return loads(Path(path).read_text(encoding="utf-8"))
     except ValueError as error:
@@ -81,25 +81,25 @@ def load(path: str | os.PathLike[str]) -> World | Shot:
 
 def restore(data: Any) -> World | Shot:
     """A world or a shot from plain data, such as `EventBudgetError.scene`."""
-    spot = Spot(data, "")
-    kind = spot["danggu"].text()
-    version = spot["version"].value
+    node = Node(data, "")
+    kind = node["danggu"].text()
+    version = node["version"].value
     if version not in (1, 2, VERSION):
         raise ValueError(f"version is {version!r}; this program reads versions 1 to {VERSION}")
     if version == 1:
-        spot = Spot(_in_the_air(data), "")
+        node = Node(_in_the_air(data), "")
     if version != VERSION and kind == "world":
-        spot = Spot({**spot.value, "discs": _unequal(spot)}, "")
+        node = Node({**node.value, "discs": _unequal(node)}, "")
     if kind == "shot":
-        return Shot(**{field.name: spot[field.name].number() for field in fields(Shot)})
+        return Shot(**{field.name: node[field.name].number() for field in fields(Shot)})
     if kind != "world":
         raise ValueError(f'danggu is {kind!r}; it must be "world" or "shot"')
-    return _world(spot)
+    return _world(node)
 
 
-def _unequal(spot: "Spot") -> bool:
+def _unequal(node: "Node") -> bool:
     """Do the balls of a file of version 1 or 2 differ in radius?  Then they were meant as discs."""
-    return len({ball["radius"].number() for ball in spot["balls"].items()}) > 1
+    return len({ball["radius"].number() for ball in node["balls"].items()}) > 1
 
 
 def _in_the_air(data: Data) -> Data:
@@ -114,13 +114,13 @@ def _in_the_air(data: Data) -> Data:
 
 
 @dataclass(frozen=True, slots=True)
-class Spot:
+class Node:
     """A value in the file, and where it is."""
 
     value: Any
     where: str
 
-    def __getitem__(self, key: Any) -> "Spot":
+    def __getitem__(self, key: Any) -> "Node":
         where = f"{self.where}.{key}" if self.where else str(key)
         if not isinstance(self.value, dict):
             raise ValueError(
@@ -128,12 +128,12 @@ class Spot:
             )
         if key not in self.value:
             raise ValueError(f"{where} is missing")
-        return Spot(self.value[key], where)
+        return Node(self.value[key], where)
 
-    def items(self) -> "list[Spot]":
+    def items(self) -> "list[Node]":
         if not isinstance(self.value, list):
             raise ValueError(f"{self.where} must be a list, not {self.value!r:.60}")
-        return [Spot(value, f"{self.where}[{k}]") for k, value in enumerate(self.value)]
+        return [Node(value, f"{self.where}[{k}]") for k, value in enumerate(self.value)]
 
     def number(self) -> float:
         if isinstance(self.value, str | bool):
@@ -145,7 +145,7 @@ class Spot:
         return inf if self.value is None else self.number()
 
     def complex(self) -> complex:
-        return complex(*vector(self.where, [spot.number() for spot in self.items()], 2))
+        return complex(*vector(self.where, [node.number() for node in self.items()], 2))
 
     def truth(self) -> bool:
         if not isinstance(self.value, bool):
@@ -158,70 +158,70 @@ class Spot:
         return self.value
 
 
-READS: dict[Any, Callable[[Spot], Any]] = {complex: Spot.complex, float: Spot.number}
+READS: dict[Any, Callable[[Node], Any]] = {complex: Node.complex, float: Node.number}
 
 
-def _world(spot: Spot) -> World:
+def _world(node: Node) -> World:
     world = World(
-        _made(Cloth, spot["cloth"]),
-        _one_of((laws,), spot["ball_law"]),
-        _one_of((laws,), spot["cushion_law"]),
-        _one_of((exact, stepping), spot["engine"]),
-        spot["discs"].truth(),
+        _made(Cloth, node["cloth"]),
+        _one_of((laws,), node["ball_law"]),
+        _one_of((laws,), node["cushion_law"]),
+        _one_of((exact, stepping), node["engine"]),
+        node["discs"].truth(),
     )
-    if spot["cluster_law"].value is not None:
-        world.cluster_law = _made(laws.HertzCluster, spot["cluster_law"])
-    for wall in spot["walls"].items():
+    if node["cluster_law"].value is not None:
+        world.cluster_law = _made(laws.HertzCluster, node["cluster_law"])
+    for wall in node["walls"].items():
         world.add(_obstacle(wall))
-    _put_balls(world, spot)
+    _put_balls(world, node)
     return world
 
 
-def _obstacle(spot: Spot) -> Obstacle:
+def _obstacle(node: Node) -> Obstacle:
     """From its fields, of the kind that it says; else a line."""
-    name = None if spot["name"].value is None else spot["name"].text()
-    kind = spot["kind"].text() if "kind" in spot.value else Wall.kind
+    name = None if node["name"].value is None else node["name"].text()
+    kind = node["kind"].text() if "kind" in node.value else Wall.kind
     if kind not in OBSTACLES:
-        raise ValueError(f"{spot.where}.kind is {kind!r}; it must be one of {', '.join(OBSTACLES)}")
+        raise ValueError(f"{node.where}.kind is {kind!r}; it must be one of {', '.join(OBSTACLES)}")
     asked = [field for field in fields(OBSTACLES[kind]) if field.init and field.name != "name"]
-    numbers = {field.name: READS[field.type](spot[field.name]) for field in asked}
+    numbers = {field.name: READS[field.type](node[field.name]) for field in asked}
     made: Obstacle = OBSTACLES[kind](**numbers, name=name)
     return made
 
 
-def _made(kind: Any, spot: Spot) -> Any:
+def _made(kind: Any, node: Node) -> Any:
     """A dataclass from its fields; its own ValueError, with the place, if it refuses them."""
-    values = {field.name: spot[field.name].value for field in fields(kind)}
+    values = {field.name: node[field.name].value for field in fields(kind)}
     for name, value in values.items():
         if isinstance(value, bool) or not isinstance(value, int | float | str | None):
-            raise ValueError(f"{spot.where}.{name} must be a number or text, not {value!r:.60}")
+            raise ValueError(f"{node.where}.{name} must be a number or text, not {value!r:.60}")
     try:
         return kind(**values)
     except (ValueError, TypeError) as error:
-        raise ValueError(f"{spot.where}: {error}") from None
+        raise ValueError(f"{node.where}: {error}") from None
 
 
-def _one_of(modules: tuple[ModuleType, ...], spot: Spot) -> Any:
-    """A law or an engine by its name."""
-    name = spot["name"].text()
+def _one_of(modules: tuple[ModuleType, ...], node: Node) -> Any:
+    """The law or engine of that name."""
+    name = node["name"].text()
     for module in modules:
         kind = vars(module).get(name)
         if is_dataclass(kind) and isinstance(kind, type) and kind.__module__ == module.__name__:
-            return _made(kind, spot)
-    raise ValueError(f"{spot.where}.name is {name!r}, which this program does not know")
+            return _made(kind, node)
+    raise ValueError(f"{node.where}.name is {name!r}, which this program does not know")
 
 
-def _put_balls(world: World, spot: Spot) -> None:
+def _put_balls(world: World, node: Node) -> None:
     """The balls where they are, first at rest and checked, then each on its leg."""
-    epoch, now = spot["epoch"].number(), spot["now"].number()
-    planned, due = spot["planned"].number(), spot["due"].number_or_inf()
-    bodies = [_body(ball) for ball in spot["balls"].items()]
-    for ball, body in zip(spot["balls"].items(), bodies, strict=True):
+    epoch, now = node["epoch"].number(), node["now"].number()
+    planned, due = node["planned"].number(), node["due"].number_or_inf()
+    bodies = [_body(ball) for ball in node["balls"].items()]
+    for ball, body in zip(node["balls"].items(), bodies, strict=True):
         t = 0.0 if body.phase < 0 else now - body.since
         p = place(body, t)
         mine = Ball(ball["name"].text(), (p.real, p.imag), radius=body.radius, mass=body.mass)
         world.add(mine).body.height = risen(body, t)[0]
-    world.clock.loose = bool(spot.value.get("loose"))
+    world.clock.loose = bool(node.value.get("loose"))
     if world.clock.loose or not foresees(world):
         world.trust()  # fixed steps let things overlap
     world.plan()
@@ -239,7 +239,7 @@ def _put_balls(world: World, spot: Spot) -> None:
 
 
 def _keep_grid(world: World, due: float, bodies: list[Body], going: list[int]) -> None:
-    """Fixed steps count from when they began: that must not begin anew."""
+    """Fixed steps count from when they began: that count must go on."""
     for k in going:
         mine, body = world.scene.balls[k], bodies[k]
         for name in ("since", *COMPLEX, *REAL, "phase", *PAGE):
@@ -247,23 +247,23 @@ def _keep_grid(world: World, due: float, bodies: list[Body], going: list[int]) -
     world.due = due
 
 
-def _body(spot: Spot) -> Body:
-    body = Body(spot["radius"].number(), spot["mass"].number(), since=spot["since"].number())
+def _body(node: Node) -> Body:
+    body = Body(node["radius"].number(), node["mass"].number(), since=node["since"].number())
     for name in COMPLEX:
-        setattr(body, name, spot[name].complex())
+        setattr(body, name, node[name].complex())
     for name in REAL:
-        setattr(body, name, spot[name].number())
-    if "hop" in spot.value:  # of a contact that lasts; since version 2 is out
-        hop = vector(f"{spot.where}.hop", [note.number() for note in spot["hop"].items()], 4)
+        setattr(body, name, node[name].number())
+    if "hop" in node.value:  # of a contact that lasts; since version 2 is out
+        hop = vector(f"{node.where}.hop", [note.number() for note in node["hop"].items()], 4)
         body.hopped, body.met, body.hops, body.lent = hop[0], int(hop[1]), int(hop[2]), hop[3]
-    if spot["page"].value is not None:
+    if node["page"].value is not None:
         for name in PAGE:
-            note = spot["page"][name]
+            note = node["page"][name]
             whole = name in ("goal", "partner")
             setattr(body, name, int(note.number()) if whole else note.number_or_inf())
-    phase = spot["phase"].text()
+    phase = node["phase"].text()
     if phase != DISTURBED and phase not in NUMBERS:
         known = ", ".join([DISTURBED, *NUMBERS])
-        raise ValueError(f"{spot.where}.phase is {phase!r}; it must be one of {known}")
+        raise ValueError(f"{node.where}.phase is {phase!r}; it must be one of {known}")
     body.phase = NUMBERS.get(phase, -1)
     return body

@@ -31,7 +31,7 @@ class Body:
     climb: float = 0.0  # the velocity upward
     fall: float = 0.0  # and what takes it, in the air
     phase: int = 0
-    # what ends the leg, and the box it sweeps till then
+    # what ends the leg, and the box it sweeps until then
     leg_end: float = inf
     goal: int = -1  # the number of the wall that does, or -1
     ending: int = 0  # the kind of event that does, see kernel/kinds.py
@@ -55,7 +55,7 @@ _values = attrgetter(*Body.__slots__)
 
 
 def twin(ball: Body) -> Body:
-    """The same record once more."""
+    """A copy of the record."""
     return Body(*_values(ball))
 
 
@@ -83,7 +83,7 @@ class Rule:
     height: float = 0.0  # of the contact above the centre, in radii
     level: float = 1.0  # its distance from the vertical axis, sqrt(1 - height²)
     slide: float = 0.0  # friction at the cloth while a cushion is touched
-    parting: float = 1e-3  # m/s: the least speed at which what touched parts
+    parting: float = 1e-3  # m/s: the least speed at which touching bodies separate
 
 
 @dataclass(slots=True, eq=False)
@@ -189,7 +189,7 @@ def no_ties(balls: int) -> Ties:
 
 
 def no_grid(balls: int) -> Grid:
-    """No cells: everybody is near."""
+    """No cells: every ball is near."""
     return Grid(1.0, 0.0, 0.0, 0, 0, [], [], [], [0] * balls)
 
 
@@ -211,13 +211,13 @@ def grid(spots: Sequence[complex], radius: float) -> Grid:
 
 
 def twin_grid(grid: Grid) -> Grid:
-    """The same cells once more."""
+    """A copy of the cells."""
     seats = [Seat(*_places(seat)) for seat in grid.seats]
     return grid._replace(head=grid.head[:], seats=seats, tree=grid.tree[:], near=grid.near[:])
 
 
 def twin_scene(scene: Scene, balls: list[Body]) -> Scene:
-    """The same scene once more, with those records of its balls."""
+    """A copy of the scene, with those records of its balls."""
     return scene._replace(
         balls=balls,
         meetings=scene.meetings[:],

@@ -52,7 +52,7 @@ def start_leg(i, scene):
 
 @whole
 def plan_meetings(i, scene):
-    """Enter in the calendar whom ball i will meet, and first of all when."""
+    """Enter in the calendar which ball ball i will meet first, and when."""
     balls, meetings = scene.balls, scene.meetings
     if scene.celled:
         plan_near(i, balls, scene.grid)
@@ -83,7 +83,7 @@ def plan_meetings(i, scene):
 
 @kernel
 def appoint(j, i, when, balls, meetings):
-    """Ball j learns when it will meet ball i, and whom it meets first now."""
+    """Enter for ball j when it will meet ball i, and which ball it now meets first."""
     ball = balls[j]
     if sooner(when, i, ball):
         ball.meets, ball.partner = when, i
@@ -98,7 +98,7 @@ def appoint(j, i, when, balls, meetings):
 
 @whole
 def plan(scene):
-    """Start afresh from balls that somebody has put there."""
+    """Start over from balls that have been placed or pushed."""
     balls, meetings, grid = scene.balls, scene.meetings, scene.grid
     n = len(balls)
     for k in range(len(meetings)):
@@ -134,9 +134,9 @@ def earliest(balls):
 
 @whole
 def happen(i, scene):
-    """The next event of ball i; all that it touched is planned anew.
+    """The next event of ball i; all that it touched is planned again.
 
-    Returns what it was and with whom: the wall, the other ball, or how many contacts.
+    Returns what it was and with what: the wall, the other ball, or how many contacts.
     """
     balls, cloth = scene.balls, scene.cloth
     if scene.celled and pass_by(i, balls, scene.grid):
@@ -315,7 +315,7 @@ def advance(until, budget, scene):
         if kind in (CLUSTER, LASTING):
             happened = blows(other, scene.ties)
             events += happened
-            budget -= happened == 0  # which must not go on for ever either
+            budget -= happened == 0  # which must not go on forever either
         elif kind != NOTHING:
             events += 1
         last = time

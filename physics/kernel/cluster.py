@@ -1,4 +1,4 @@
-"""Several contacts at one instant: who is in them, and what becomes of them.
+"""Several contacts at one instant: which balls take part, and how they part.
 
 The contacts of a cluster that close fastest, to 1e-9, are solved together, the others wait; again
 and again until none closes. So a symmetric rack stays symmetric, and a cradle passes its blow on
@@ -95,7 +95,7 @@ def third(a, i, j, time, balls, grid):
 
 @kernel
 def gather(i, j, time, scene):
-    """All that hangs together with balls i and j: how many balls, in ties.member, and contacts."""
+    """All balls connected with balls i and j: how many, in ties.member, and how many contacts."""
     balls, ties, grid = scene.balls, scene.ties, scene.grid
     member = ties.member
     member[0], member[1] = i, j

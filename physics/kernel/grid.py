@@ -1,9 +1,9 @@
-"""Many balls: who is near, by cells of a grid, and whose event is next, by a tournament.
+"""Many balls: which are near, by cells of a grid, and which event is next, by a tournament.
 
 Every ball is listed in the cell that its centre is in; it can only touch balls of that cell and of
 the eight around. Leaving the cell is an event of the calendar, not of physics: the leg goes on.
-The outer cells have no outer edge. Who has a new leg tells nobody: an event that was foreseen with
-an older leg is void, which shows when it is due.
+The outer cells have no outer edge. A new leg notifies no one; an event predicted from an older leg
+is discarded when it comes due.
 """
 
 from .contact import meeting
@@ -17,7 +17,7 @@ EAST, WEST, NORTH, SOUTH = 0, 1, 2, 3
 
 @kernel
 def neighbours(i, balls, grid):
-    """Who may touch ball i: how many, in grid.near.  Without cells, everybody."""
+    """The balls that may touch ball i: how many, in grid.near.  Without cells, all of them."""
     count = 0
     if len(grid.head) == 0:
         for k in range(len(balls)):
@@ -142,13 +142,13 @@ def rank(i, balls, grid):
 
 @kernel
 def sooner(when, i, ball):
-    """Would the ball meet ball i before whom it expects?  Of two at once the lower number wins."""
+    """Would the ball meet ball i before its partner?  Of two at once the lower number wins."""
     return when < ball.meets or (when == ball.meets and i < ball.partner)
 
 
 @kernel
 def plan_near(i, balls, grid):
-    """Whom ball i will meet first among those who are near, and who will meet it before others."""
+    """The near ball that ball i will meet first, and the balls that will meet ball i first."""
     ball = balls[i]
     west, east, south, north = ball.west, ball.east, ball.south, ball.north
     ball.meets, ball.partner = inf, NOBODY

@@ -358,7 +358,7 @@ def hold(tie, balls, rule):
 
 @kernel
 def brush(ball, push, normal, rule):
-    """The friction of a cushion that has pushed the ball: the rigid law's, whatever the law."""
+    """The friction of a cushion that has pushed the ball: the rigid law's, for every law."""
     inward = normal.conjugate()
     v, roll = inward * ball.velocity, inward * ball.roll
     push /= ball.mass * rule.level

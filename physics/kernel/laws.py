@@ -17,7 +17,10 @@ SMOOTH_BALL, ROUGH_BALL, ALCIATORE_BALL, FOREIGN_BALL, THESIS_BALL = 0, 1, 2, 3,
 
 @kernel
 def rebound(closing, rule):
-    """The change of the normal velocity: whatever touches parts, or contacts would never end."""
+    """The change of the normal velocity.
+
+    Touching bodies always separate; otherwise contacts could last forever.
+    """
     parting = rule.restitution * closing
     return closing + (parting if parting > rule.parting else rule.parting)
 
@@ -106,7 +109,7 @@ def hit_wall(ball, normal, rule):
     """Turn the picture so that the wall's normal is the x axis, and back."""
     inward = normal.conjugate()
     v, roll, ball.side = cushion(inward * ball.velocity, inward * ball.roll, ball.side, rule)
-    if v.real < rule.parting:  # whatever the law, it does not go on into the wall
+    if v.real < rule.parting:  # no law may let it go on into the wall
         v = complex(rule.parting, v.imag)
     ball.velocity, ball.roll = normal * v, normal * roll
 

@@ -3,7 +3,7 @@
 The push of the nose, the rub at it (along the wall, upward) and the drag of the cloth (in its
 plane) act together, and the slips that steer rub and drag turn meanwhile. So the motion is
 integrated, over its normal speed, which always grows: steps are short where a slip turns fast or
-ends, and a slip that has ended is held. Measured errors and cost: docs/physics.md.
+ends, and a slip that has ended is held. Measured errors and cost: docs/accuracy.md.
 """
 
 from .motion import length

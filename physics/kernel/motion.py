@@ -17,7 +17,7 @@ def length(z):
 
 @kernel
 def motion(velocity, roll, cloth):
-    """What friction makes of a ball: (phase, acceleration, for how long)."""
+    """What friction does to a ball: (phase, acceleration, for how long)."""
     slip = velocity - roll
     speed = sqrt(slip.real * slip.real + slip.imag * slip.imag)  # asked for every leg
     if speed > cloth.still:
@@ -33,7 +33,7 @@ def motion(velocity, roll, cloth):
 
 @kernel
 def faded(side, loss):
-    """Spin about the vertical dies away on its own, whatever else happens."""
+    """Spin about the vertical dies away on its own, independently of all else."""
     if side > loss:
         return side - loss
     return side + loss if side < -loss else 0.0

@@ -1,6 +1,6 @@
 """What the kernel is written in: a subset of Python that numba compiles as it stands.
 
-This is the interpreted binding. `physics.compiled` loads the same package a second time with
+This is the interpreted binding. `physics.batch.compiled` loads the same package a second time with
 another module in this place, in which `kernel` is numba's compiler; a test does so with 50-digit
 numbers.
 """
@@ -30,7 +30,7 @@ def elementary(function: F) -> F:
 def whole(function: F) -> F:
     """The same for what is handed a whole scene and may be called from outside.
 
-    Compiled, it becomes a part of whoever calls it.
+    Compiled, it becomes a part of its caller.
     """
     return function
 
@@ -45,10 +45,10 @@ def room(ties: Any, contacts: int) -> None:
 
 
 def foreign_cushion(v: complex, roll: complex, side: float, rule: Any) -> Any:
-    """A cushion law from outside: batches with one run interpreted."""
+    """A custom cushion law: batches with one run interpreted."""
     return rule.function(v, roll, side)
 
 
 def foreign_ball(v: complex, roll: complex, side: float, mass: float, rule: Any) -> Any:
-    """A ball law from outside."""
+    """A custom ball law."""
     return rule.function(v, roll, side, mass)

@@ -1,7 +1,7 @@
 """Numbers that carry their derivatives: the kernel, run on them, differentiates itself.
 
-A `Dual` behaves as its value, bit for bit, and takes its slope along by the rules of calculus. What
-compares looks at the value: so the slope is that of the branch taken.
+A `Dual` behaves as its value, bit for bit, and takes its slope along by the rules of calculus.
+Comparisons look at the value: so the slope is that of the branch taken.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ SLOPES: dict[str, Callable[[float, Any], Any]] = {  # of the elementary function
     "direction": lambda x, y: 1j * elementary.RADIANS * y,
     "exp": lambda x, y: y,
 }
-STEP = 1e-3  # of the size of its arguments: how far apart a foreign law is probed
+STEP = 1e-3  # of the size of its arguments: how far apart a custom law is probed
 
 
 class Dual:
@@ -167,11 +167,11 @@ def probed(law: Callable[..., tuple[Any, ...]], *arguments: Any) -> tuple[Any, .
     return tuple(map(Dual, results, slopes))
 
 
-def _foreign_cushion(v: Any, roll: Any, side: Any, rule: Any) -> Any:
+def _custom_cushion(v: Any, roll: Any, side: Any, rule: Any) -> Any:
     return probed(rule.function, v, roll, side)
 
 
-def _foreign_ball(v: Any, roll: Any, side: Any, mass: float, rule: Any) -> Any:
+def _custom_ball(v: Any, roll: Any, side: Any, mass: float, rule: Any) -> Any:
     return probed(lambda *contact: rule.function(*contact, mass), v, roll, side)
 
 
@@ -181,11 +181,11 @@ def kernel() -> ModuleType:
     subset = ModuleType(f"{NAME}.subset")
     vars(subset).update(vars(plain))
     vars(subset).update(
-        # no slope where a length is zero: there only its value may matter
+        # a length of zero has no slope: there only its value may matter
         sqrt=smooth(math.sqrt, lambda x, y: 0.5 / y if y > 0.0 else math.nan),
         elementary=lambda function: smooth(function, SLOPES[function.__name__]),
         complex=complex_number,
-        foreign_cushion=_foreign_cushion,
-        foreign_ball=_foreign_ball,
+        foreign_cushion=_custom_cushion,
+        foreign_ball=_custom_ball,
     )
     return load(NAME, subset)

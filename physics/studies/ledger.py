@@ -1,7 +1,7 @@
 """The log as a ledger: where the energy of a scene has gone, event by event and leg by leg.
 
-What the cloth takes is reckoned from its friction, not as the difference of two energies: so that
-the sum of all entries shows whether they are right.
+What the cloth takes is computed from its friction, not as the difference of two energies, so the
+sum of all entries shows whether they are right.
 """
 
 import csv
@@ -23,11 +23,18 @@ if TYPE_CHECKING:
 class Entry(NamedTuple):
     """One line.
 
-    time s; kind as of an Event, or "hand" where somebody put or pushed a ball; ball, other, wall:
-    names, or ""; x, y: where, m; speeds of the two before and after, in space, closing speed, m/s;
-    impulse, N s; energy_lost in the event, and cloth_lost by all balls on their legs since the
-    entry before, J (what a hand gave is a loss below zero); energy: of all balls after it, J, of
-    moving and turning and what gravity has stored in those aloft. height: of the ball, m.
+    time: s.
+    kind: as of an Event, or "hand" where a ball was placed or pushed by hand.
+    ball, other, wall: names, or "".
+    x, y: where, m.
+    speed_before, speed_after, other_before, other_after: of ball and other, in space, m/s.
+    closing: closing speed, m/s.
+    impulse: N s.
+    energy_lost: in the event, J; what a hand gave is a loss below zero.
+    cloth_lost: by all balls on their legs since the entry before, J.
+    energy: of all balls after it, J, of moving and turning and what gravity has stored in those
+    aloft.
+    height: of the ball, m.
     """
 
     time: float
@@ -110,7 +117,7 @@ class _Book:
         self.time = log.start
 
     def hands(self) -> list[tuple[int, int]]:
-        """The legs (ball, number) that no event began: somebody did; in the order of time."""
+        """The legs (ball, number) that were begun by hand and not by an event, in order of time."""
         begun = {leg for event in range(len(self.log)) for leg in self.log.begun(event)}
         put = [
             (i, k)
@@ -129,7 +136,7 @@ class _Book:
         return when < time or (when == time and self.at[i] == k - 1 and (i, k - 1) not in begun)
 
     def charge(self, time: float) -> float:
-        """What the cloth has taken from all balls since it was last asked."""
+        """What the cloth has taken from all balls since the last call."""
         lost = 0.0
         for legs, k, mass in zip(self.legs, self.at, self.log.masses, strict=True):
             leg = legs[k]

@@ -1,6 +1,6 @@
 """Pictures of what happened, for papers and pages: paths on the table, to scale.
 
-Needs matplotlib, the `plot` extra, and nothing else here imports it.
+Needs matplotlib, the `plot` extra; nothing else here imports it.
 """
 
 from itertools import pairwise
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 RATE = 240  # samples a second of a path
 RAIL = 0.07  # m: the rail around the noses of the cushions
-NAMED = 4  # balls: more than these the legend does not name
+NAMED = 4  # balls: the legend names no more than these
 PLANE = 10.0  # m: the table, as far as no wall bounds it
 INK, PAPER, CLOTH, WOOD, NOSE = "#1C222B", "#FFFFFF", "#DFEAEF", "#C9AE94", "#5C3B27"
 BODIES = {"white": "#FFFFFF", "yellow": "#F2B90C", "red": "#D6202F"}
@@ -38,7 +38,7 @@ def picture(
     """The log of the world as solid paths, on its table; that of another world dashed, beside it.
 
     engine and dashes are the words for the two in the legend.
-    Rings are where balls began, discs where they are now. Without matplotlib an ImportError tells
+    Rings are where balls began, discs where they are now. Without matplotlib, an ImportError says
     what to install.
     """
     try:

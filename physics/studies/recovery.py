@@ -1,4 +1,4 @@
-"""The inverse problem: how was a ball struck that has been seen to run along this path?
+"""The inverse problem: how was a ball struck that was seen to run along this path?
 
 While a ball slides, friction pulls against its slip u = v - w (w: the velocity at which it would
 roll): the bend of the path gives the direction of u, and the moment at which the bend ends, T =
@@ -33,11 +33,14 @@ ROUNDING = 1e-12  # m: a misfit below it says nothing
 class Recovered(NamedTuple):
     """What `recover` returns: the ball at `start`, in m, m/s and rad/s.
 
-    phase: "sliding", "rolling", or "both", what the samples show.  position, velocity: (2,).  spin:
-    (2,), ω_x and ω_y, NaN if the ball slides to the last sample: then its slip, velocity - w, is
-    known in direction only, and `slip` (2,) is the least that it can be.  covariance: (6, 6) of x,
-    y, vx, vy, ω_x, ω_y, from the scatter of the samples; infinite for an unknown spin.  misfit: rms
-    distance of a coordinate, m.
+    phase: what the samples show, "sliding", "rolling" or "both".
+    position, velocity: (2,).
+    spin: (2,), ω_x and ω_y; NaN if the ball slides to the last sample.
+    slip: (2,), velocity - w; if the ball slides to the last sample only its direction is known, and
+    this is the least that it can be.
+    covariance: (6, 6) of x, y, vx, vy, ω_x, ω_y, from the scatter of the samples; infinite for an
+    unknown spin.
+    misfit: rms distance of a coordinate, m.
     """
 
     phase: str
@@ -60,7 +63,7 @@ def recover(
 
     times: (n,) s, growing, n >= 5.  positions: (n, 2) m.  start: when it set out, s, no later than
     the first sample, which it is by default.  Between start and last sample there must be neither
-    cushion nor ball: a misfit far above the noise of the samples tells that there was. The spin
+    cushion nor ball: a misfit far above the noise of the samples shows that there was. The spin
     about the vertical bends no path and cannot be seen. Where sliding and then rolling does not fit
     clearly better than one of them alone, that is returned: so a slip u too short-lived to show in
     the samples is taken for none, and the velocity is then wrong by 2/7 of it.
@@ -93,7 +96,12 @@ def _samples(times: Any, positions: Any, start: float | None) -> tuple[Array, Ar
 
 
 class _Fit(NamedTuple):
-    """x: (6,) position, velocity, slip; square: of the misfit, summed; covariance: (6, 6) of x."""
+    """A fit.
+
+    x: (6,) position, velocity, slip.
+    square: of the misfit, summed.
+    covariance: (6, 6) of x.
+    """
 
     x: Array
     square: float
@@ -101,7 +109,7 @@ class _Fit(NamedTuple):
 
 
 class _Path:
-    """Samples, and what there should be in their place."""
+    """Samples, and the model of them."""
 
     def __init__(self, t: Array, p: Array, slide: float, roll: float) -> None:
         self.t, self.p, self.slide, self.roll = t, p, slide, roll

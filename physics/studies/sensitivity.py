@@ -40,10 +40,13 @@ AIM = (0.0, 1.0, 0.0, 0.0, 0.0)  # errors of a player who only aims badly
 class EventSlope(NamedTuple):
     """An event and its derivatives by the five numbers of the shot, in the order of `NUMBERS`.
 
-    event: as in the log.  time: (5,) s.  before, after: (balls, 7, 5), rows x, y m, vx, vy m/s, wx,
-    wy, wz rad/s, of each of the event's balls just before and just after it.  All per m/s, but
-    column `ANGLE` per degree.  They follow the event to its new time; at a fixed time the position
-    of a ball changes by `after[k, :2] - outer(event.after[k].velocity, time)`.
+    event: as in the log.
+    time: (5,) s.
+    before, after: (balls, 7, 5), rows x, y m, vx, vy m/s, wx, wy, wz rad/s, of each of the event's
+    balls just before and just after it.
+    All are per m/s, but column `ANGLE` per degree. They follow the event to its new time; at a
+    fixed time the position of a ball changes by
+    `after[k, :2] - outer(event.after[k].velocity, time)`.
     """
 
     event: Event
@@ -69,7 +72,8 @@ class EventSlope(NamedTuple):
 class Sensitivity(NamedTuple):
     """What `sensitivity` returns.
 
-    world: after the shot, its log is what the events are from.  events: one EventSlope for each.
+    world: after the shot; the events are those of its log.
+    events: one EventSlope for each.
     rest: (balls, 2, 5) derivatives of where each of the world's balls comes to rest, m per m/s, and
     per degree in column `ANGLE`; NaN for a ball that never rests.
     """
@@ -124,7 +128,7 @@ def sensitivity(world: World, ball: Ball | str, shot: Shot) -> Sensitivity:
     """Derivatives of all that follows from a shot, by its speed, angle, follow, masse and side.
 
     ball is one of the world's, or its name; the world stays as it is. Exact up to rounding, which
-    every hit magnifies; a law from outside is probed by differences, to about 1e-11. See
+    every hit magnifies; a custom law is probed by differences, to about 1e-11. See
     docs/physics.md, "How much depends on the shot".
 
     They hold as long as the same events happen in the same order. There is no derivative where that
@@ -191,8 +195,8 @@ class _Replay:
                 self._count_hops(self.balls[m], kind, bool(shared and shared[3]))
                 self._plan(self.balls[m])
             after = {m: _rows(self.balls[m]) for m in involved}
-            for (event, _), who in zip(blows, pairs or [[i]], strict=True):
-                yield EventSlope(event, slope(moment), _stack(before, who), _stack(after, who))
+            for (event, _), pair in zip(blows, pairs or [[i]], strict=True):
+                yield EventSlope(event, slope(moment), _stack(before, pair), _stack(after, pair))
 
     def _moment(self, time: float, kind: int, i: int, other: int) -> Dual:
         """When it happens: a contact when the gap, which depends on the shot, has closed."""
@@ -284,7 +288,7 @@ class _Replay:
 
 
 def _instant(numbered: Any) -> tuple[int, int]:
-    """The same for the blows of a cluster, which share a record of it, and for nothing else."""
+    """A key that the blows of a cluster share, as they share its record, and nothing else does."""
     number, (_, raw) = numbered
     return (-1, id(raw[-1][2])) if raw[-1] else (number, 0)
 
@@ -317,7 +321,7 @@ def _rows(ball: Any) -> Array:
     )
 
 
-def _stack(rows: dict[int, Array], who: Iterable[int]) -> Array:
+def _stack(rows: dict[int, Array], of: Iterable[int]) -> Array:
     import numpy as np
 
-    return np.stack([rows[m] for m in who])
+    return np.stack([rows[m] for m in of])

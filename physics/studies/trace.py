@@ -47,7 +47,7 @@ def heights(world: World, rate: float = 60.0) -> "npt.NDArray[np.float64]":
 def _times(world: World, rate: float, np: Any) -> Any:
     """From the log's start to now, or a little later."""
     rate = positive("trace rate", rate)
-    world.plan()  # what has just been put there is on a leg, too
+    world.plan()  # a ball that was just placed is on a leg, too
     samples = ceil((world.time - world.log.start) * rate) + 1
     return world.log.start + np.arange(samples) / rate
 

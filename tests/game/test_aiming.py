@@ -49,10 +49,10 @@ def test_a_tip_point_gives_the_spins_that_the_cue_of_the_physics_gives(right, up
     height = tip.up * cos(radians(steep)) + away * sin(radians(steep))
     heavy_end = CueStroke(1.0, 0.0, tip.right, height, steep, end_ratio=1e12, friction=0.61)
 
-    class Ball:
+    class Struck:
         mass = 0.2
 
-    shot = heavy_end.shot(Ball())
+    shot = heavy_end.shot(Struck())
     spins = tip.spins(speed)
     for name in ("follow", "masse", "side"):
         assert spins[name] / speed == pytest.approx(getattr(shot, name) / shot.speed, abs=1e-9)

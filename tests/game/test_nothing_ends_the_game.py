@@ -54,7 +54,11 @@ def test_a_stopped_rack_can_be_undone_after_placing():
     assert entry.main(said) == 0
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
+# what locates contacts within a step takes longest, and undoes alike in test_anything.py
+@pytest.mark.parametrize(
+    "scheme",
+    [pytest.param(s, marks=[pytest.mark.stress] * (s == "rk4-located")) for s in SCHEMES],
+)
 def test_sixty_stops_retries_and_undos_of_a_rack_give_back_the_digits(scheme):
     with engines(scheme):
         game = Game(scene_world("rack15"), table="rack15")

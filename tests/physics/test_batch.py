@@ -96,7 +96,7 @@ def test_every_law_compiles_to_the_same_bits(ball_law, cushion_law):
 
 
 @pytest.mark.parametrize("pool", [ThreadPoolExecutor, ProcessPoolExecutor])
-def test_an_executor_changes_nothing_but_who_works(pool, monkeypatch):
+def test_an_executor_changes_nothing_but_what_does_the_work(pool, monkeypatch):
     monkeypatch.setattr("physics.batch.many.CHUNK", 50)
     world, shots = scenes.carom(), fan(200)
     alone = simulate_many(world, "white", shots, compiled=True)
@@ -150,7 +150,7 @@ def test_too_many_events_are_an_error_and_carry_the_scene():
     assert caught.value.scene is not None
 
 
-def test_a_law_from_outside_runs_interpreted():
+def test_a_custom_law_runs_interpreted():
     world = scenes.carom()
     world.cushion_law = lambda v, roll, side: (complex(-0.9 * v.real, v.imag), roll, side)
     with pytest.raises(ValueError, match="interpreted"):

@@ -1,4 +1,4 @@
-"""The compiled kernel reads and writes nothing beyond its arrays: nobody else would notice."""
+"""The compiled kernel reads and writes nothing beyond its arrays: nothing else would notice."""
 
 import os
 import subprocess

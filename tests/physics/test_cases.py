@@ -1,12 +1,12 @@
-"""Scenes that once broke the engine: data files in tests/cases (see benchmarks/cases.py)."""
+"""Scenes that once broke the engine: data files in tests/cases."""
 
 from math import hypot, inf
 from pathlib import Path
 
 import pytest
 
-from benchmarks.cases import load
 from benchmarks.invariants import faults
+from tests.support.cases import load
 
 CASES = sorted((Path(__file__).parents[1] / "cases").glob("*.json"))
 

@@ -105,3 +105,9 @@ def test_a_stroke_on_the_cues_own_level_is_the_limit_of_small_elevations():
 def test_a_bad_stroke_is_refused_by_name(name, value):
     with pytest.raises(ValueError, match=f"CueStroke.*{name}"):
         CueStroke(**{"speed": 1.0, name: value})
+
+
+@pytest.mark.parametrize("side", [0.0, -0.0])
+def test_no_zero_of_a_stroke_shows_a_sign(side):
+    shot = CueStroke(2.0, side=side, height=0.2).shot(WHITE)
+    assert "-0.0" not in repr(shot)

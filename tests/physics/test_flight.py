@@ -30,7 +30,7 @@ RADIUS, MASS = 0.03075, 0.21
 
 
 def table(**heights):
-    """A match table with balls in a row, 0.4 m apart, named and lifted as told."""
+    """A match table with balls in a row, 0.4 m apart, named and lifted as given."""
     world = tables.match_carom()
     for k, (name, height) in enumerate(heights.items()):
         ball = world.add(Ball(name, (0.4 * k - 0.8, 0.0), radius=RADIUS, mass=MASS))
@@ -70,7 +70,7 @@ def test_a_falling_ball_comes_up_as_fast_as_the_cloth_says(bounce):
     assert landing.closing == pytest.approx(math.sqrt(2 * 9.81 * 0.2), rel=1e-14)
     assert landing.after[0].climb == pytest.approx(bounce * landing.closing, rel=1e-14)
     assert landing.impulse == pytest.approx(0.25 * (1 + bounce) * landing.closing, rel=1e-14)
-    # every bounce takes its share till one is slower than what parts: ⌈log(1e-3 / v) / log e⌉
+    # every bounce takes its share until one is slower than what parts: ⌈log(1e-3 / v) / log e⌉
     some = bounce and math.log(1e-3 / landing.closing) / math.log(bounce)
     assert len(world.log) == max(1, math.ceil(some))
 
@@ -241,7 +241,7 @@ def test_a_ball_dropped_into_a_nest_of_three_drives_them_apart():
     assert min(math.hypot(*ball.position) for ball in world.balls[:3]) > 3 * RADIUS
 
 
-def test_laws_from_outside_are_asked_in_the_air_too():
+def test_custom_laws_are_asked_in_the_air_too():
     def swap(v, roll, side, mass):
         return 2.0 * mass * v.real, 0j
 

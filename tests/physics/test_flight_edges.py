@@ -142,7 +142,7 @@ def test_the_log_names_the_wall_that_a_ball_has_jumped():
     assert event.wall == contact.wall == "north"
 
 
-def test_a_law_from_outside_keeps_the_nose_that_was_there():
+def test_a_custom_law_keeps_the_nose_that_was_there():
     world = tables.medium_carom()
     height = world.scene.cushion_rule.height
     world.cushion_law = lambda v, roll, side: (complex(-v.real, v.imag), roll, side)

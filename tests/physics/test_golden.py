@@ -44,7 +44,7 @@ for angle in (0.1, 0.7):
 
 
 def test_springs_of_hertz_have_the_same_digits_on_whatever_processor():
-    """OpenBLAS can be told to act as on another one, which multiplies matrices otherwise."""
+    """OpenBLAS can be made to act as on another one, which multiplies matrices otherwise."""
     found = {
         subprocess.run(
             [sys.executable, "-c", SPRINGS], env={**os.environ, "OPENBLAS_CORETYPE": core},

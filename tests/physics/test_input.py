@@ -1,4 +1,4 @@
-"""What somebody hands in: made plain numbers, or refused by name before anything changes."""
+"""What callers hand in: made plain numbers, or refused by name before anything changes."""
 
 from dataclasses import fields, replace
 from functools import partial
@@ -158,7 +158,7 @@ def test_shots_of_the_wrong_shape_are_not_taken_for_others(shots):
 def test_who_cannot_help_with_a_batch_is_refused_before_it_begins(wrong):
     (name, value), = wrong.items()
     with pytest.raises(ValueError, match=f"simulate_many {name} must .* {value!r}"):
-        simulate_many(scenes.carom(), "nobody", [Shot(3.0)], **wrong)
+        simulate_many(scenes.carom(), "missing", [Shot(3.0)], **wrong)
 
 
 def test_a_ball_keeps_its_name():
@@ -288,3 +288,21 @@ def test_unknown_laws_are_refused_with_the_names_there_are():
         laws.RoughBall(0.9, "smooth")
     with pytest.raises(ValueError, match=r"SmoothBall\.e must be from 0 to 1"):
         laws.SmoothBall(1.1)
+
+
+@pytest.mark.parametrize("value", [0, -1, 2.5, "3", None, True, 10**6])
+@pytest.mark.parametrize(
+    ("scene", "name"), [(scenes.cradle, "cradle balls"), (scenes.pi_collisions, "pi_coll.* digits")]
+)
+def test_a_scene_of_no_or_half_a_ball_or_digit_is_refused_by_name(scene, name, value):
+    with pytest.raises(ValueError, match=f"{name} must be a whole number from 1 to .*{value!r}"):
+        scene(value)
+
+
+def test_no_zero_of_a_spin_shows_a_sign():
+    world = tables.medium_carom()
+    white = world.add(Ball("white", at=(0.0, 0.0), velocity=(1.0, 0.0)))
+    white.phase = "rolling"
+    after = simulate(world, white, Shot(2.0, 30.0))
+    assert "-0.0" not in repr((white.spin, [ball.spin for ball in after.balls]))
+    assert "-0.0" not in repr([state.spin for e in after.log for state in (*e.before, *e.after)])

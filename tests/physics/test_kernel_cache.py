@@ -67,9 +67,9 @@ def test_an_edit_of_the_kernel_or_of_how_it_is_compiled_asks_for_a_new_one(name,
     assert compiled.cache_folder() != before
 
 
-def test_a_new_kernel_removes_those_that_nobody_has_used_for_a_week(home):
+def test_a_new_kernel_removes_those_not_used_for_a_week(home):
     aged(home / "kernel-old", 8)
-    aged(home / "kernel-old.4711", 8)  # somebody has not finished removing it
+    aged(home / "kernel-old.4711", 8)  # another process is still removing it
     aged(home / "kernel-other-install", 6)
     aged(home / "settings", 100)
     kernel()
@@ -96,7 +96,7 @@ def test_a_cache_that_lets_nothing_be_made_or_removed_is_left_alone(way, home, m
     assert (old / "kernel_1a" / "calendar.many-99.py311.nbi").exists()
 
 
-def test_of_two_who_remove_the_same_kernel_one_does_and_neither_fails(home, monkeypatch):
+def test_of_two_processes_that_remove_the_same_kernel_one_does_and_neither_fails(home, monkeypatch):
     old, rename = aged(home / "kernel-old", 8), Path.rename
 
     def too_late(path, target):

@@ -62,7 +62,7 @@ def code(folder):
     return list(folder.rglob("*.nb[ic]"))
 
 
-def test_the_folder_is_what_numba_or_the_system_is_told_or_in_the_home(
+def test_the_folder_is_the_one_set_for_numba_or_the_system_or_in_the_home(
     source, home, tmp_path, monkeypatch
 ):
     assert compiled.cache_folder().parent == home / ".cache" / "danggu"
@@ -74,18 +74,18 @@ def test_the_folder_is_what_numba_or_the_system_is_told_or_in_the_home(
     assert compiled.cache_folder().parent == Path.cwd() / "beside" / "danggu"
 
 
-@pytest.mark.parametrize("told", ["", "caches", "./caches", "~/caches"])
-def test_a_cache_home_that_is_no_absolute_path_is_as_if_none_were_told(
-    told, source, home, monkeypatch
+@pytest.mark.parametrize("given", ["", "caches", "./caches", "~/caches"])
+def test_a_cache_home_that_is_no_absolute_path_is_ignored(
+    given, source, home, monkeypatch
 ):
-    monkeypatch.setenv("XDG_CACHE_HOME", told)
+    monkeypatch.setenv("XDG_CACHE_HOME", given)
     assert compiled.cache_folder().parent == home / ".cache" / "danggu"
 
 
-@pytest.mark.parametrize("told", ["missing", "file", "relative"])
-def test_a_home_that_is_none_is_not_made(told, source, tmp_path, monkeypatch, caplog):
+@pytest.mark.parametrize("given", ["missing", "file", "relative"])
+def test_a_home_that_is_none_is_not_made(given, source, tmp_path, monkeypatch, caplog):
     (tmp_path / "file").write_text("")
-    monkeypatch.setenv("HOME", told if told == "relative" else str(tmp_path / told))
+    monkeypatch.setenv("HOME", given if given == "relative" else str(tmp_path / given))
     package, said = kernel(caplog)
     assert package.calendar.many.stats.cache_path is None
     assert len(said) == 1
@@ -124,12 +124,12 @@ def test_where_nothing_can_be_written_nothing_is_kept_and_that_is_said_once(
     assert code(tmp_path) == []
 
 
-def test_numba_told_to_keep_code_beside_the_source_does_not(
+def test_numba_set_to_keep_code_beside_the_source_does_not(
     source, home, tmp_path, monkeypatch, caplog
 ):
     monkeypatch.setattr(config, "CACHE_LOCATOR_CLASSES", "InTreeCacheLocator", raising=False)
     package, said = kernel(caplog)
-    if package.calendar.many.stats.cache_path is None:  # this numba lets itself be told
+    if package.calendar.many.stats.cache_path is None:  # this numba takes a folder
         assert "cannot keep it" in said[-1]
     assert code(source) == []
 
@@ -175,7 +175,7 @@ def test_broken_code_is_thrown_away_and_made_again(kind, left, source, home, cap
     assert kernel(caplog)[1] == []
 
 
-def test_numba_told_to_compile_nothing_says_so_and_loses_nothing(source, home, monkeypatch, caplog):
+def test_numba_set_to_compile_nothing_says_so_and_loses_nothing(source, home, monkeypatch, caplog):
     kernel(caplog)
     monkeypatch.setattr(config, "DISABLE_JIT", 1)
     with pytest.raises(ImportError, match="DISABLE_JIT"):
@@ -183,11 +183,11 @@ def test_numba_told_to_compile_nothing_says_so_and_loses_nothing(source, home, m
     assert len(code(home)) == 4
 
 
-def test_what_the_user_has_told_numba_is_as_before(source, home, monkeypatch, caplog):
-    for told in ("", str(home / "numba")):
-        monkeypatch.setattr(config, "CACHE_DIR", told)
+def test_the_users_settings_of_numba_stay_as_they_were(source, home, monkeypatch, caplog):
+    for given in ("", str(home / "numba")):
+        monkeypatch.setattr(config, "CACHE_DIR", given)
         kernel(caplog)
-        assert told == config.CACHE_DIR
+        assert given == config.CACHE_DIR
 
 
 # The real kernel, as in a new process: half a minute each
@@ -240,7 +240,7 @@ def test_two_processes_that_compile_at_once_do_not_disturb_each_other(tmp_path):
 
 @pytest.mark.stress
 @pytest.mark.skipif(not hasattr(os, "setuid") or os.getuid() != 0, reason="needs another user")
-def test_a_user_whom_the_system_does_not_know_plays_many_shots():
+def test_a_user_unknown_to_the_system_plays_many_shots():
     code = (
         "import os, numba\n"
         "from physics import scenes, simulate_many\n"

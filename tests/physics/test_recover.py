@@ -101,7 +101,7 @@ def test_a_path_that_has_met_a_cushion_gives_itself_away_by_its_misfit():
     assert recover(TIMES, places, CLOTH, R, start=0.0).misfit > 20 * SEEN
 
 
-def test_the_start_is_the_first_sample_unless_told():
+def test_the_start_is_the_first_sample_unless_given():
     whole = path((2.0, 0.3), (1.0, 2.0))
     found = recover(TIMES + 5.0, whole, CLOTH, R)
     world = World(CLOTH)

@@ -1,4 +1,4 @@
-"""The scene command on balls that nobody has struck."""
+"""The scene command on balls that have not been struck."""
 
 import pytest
 

@@ -9,7 +9,7 @@ from physics import scenes, trace
 from physics.__main__ import main
 
 
-def test_a_scene_is_told_event_by_event(capsys):
+def test_a_scene_is_printed_event_by_event(capsys):
     assert main(["scene", "thesis_2"]) == 0
     lines = capsys.readouterr().out.splitlines()
     world = scenes.thesis_2()
@@ -25,8 +25,8 @@ def test_law_and_engine_can_be_chosen(capsys):
         ["--law", "medium"], ["--law", "mathavan"], ["--engine", "thesis", "--dt", "0.02"], [],
     ):  # fmt: skip
         main(["scene", "thesis_2", "--until", "2", *options])
-    told = capsys.readouterr().out.split("thesis_2: ")
-    assert len(set(told)) == 5
+    printed = capsys.readouterr().out.split("thesis_2: ")
+    assert len(set(printed)) == 5
 
 
 def test_the_paths_are_written_at_the_wanted_rate(tmp_path, capsys):
@@ -74,11 +74,11 @@ def test_a_picture_has_the_tables_shape(name, tmp_path, capsys):
         (["cradle", "--until", "1e15", "--csv", "paths.csv"], "Unable to allocate"),
     ],
 )
-def test_what_cannot_be_is_told_in_a_line_with_exit_code_2(arguments, message, capsys):
+def test_what_cannot_be_is_refused_in_a_line_with_exit_code_2(arguments, message, capsys):
     assert main(["scene", *arguments]) == 2
-    told = capsys.readouterr().err
-    assert message in told
-    assert told.count("\n") == 1
+    printed = capsys.readouterr().err
+    assert message in printed
+    assert printed.count("\n") == 1
 
 
 @pytest.mark.parametrize(
@@ -93,7 +93,7 @@ def test_what_cannot_be_is_told_in_a_line_with_exit_code_2(arguments, message, c
         [],
     ],
 )
-def test_a_wrong_option_is_told_in_a_line_with_exit_code_2(arguments, capsys):
+def test_a_wrong_option_is_refused_in_a_line_with_exit_code_2(arguments, capsys):
     with pytest.raises(SystemExit) as end:
         main(arguments)
     assert end.value.code == 2

@@ -32,7 +32,7 @@ def state(ball):
 
 
 def outcome(world, struck, numbers):
-    """In 50 digits: who has which event; all times, states after the events, rest positions."""
+    """In 50 digits: the balls of each event, all times, states after the events, rest positions."""
     kernel = fifty.kernel()
     scene = world.scene._replace(
         balls=[fifty.record(ball.body) for ball in world.balls],
@@ -57,8 +57,8 @@ def outcome(world, struck, numbers):
         if time == mpmath.inf:
             return found | {("rest", i): state(b)[:2] for i, b in enumerate(scene.balls)}
         kind, other = kernel.calendar.happen(i, scene)
-        who = [i, other] if kind == kernel.calendar.PAIR else [i]
-        for m in who:
+        pair = [i, other] if kind == kernel.calendar.PAIR else [i]
+        for m in pair:
             found[label(found, m)] = [time, *state(scene.balls[m])]
 
 
@@ -219,15 +219,15 @@ def test_the_scatter_at_rest_is_that_of_shots_that_miss_by_a_little():
     assert (np.linalg.eigvalsh(covariance) > -1e-20).all()
 
 
-def test_a_law_from_outside_is_probed_to_ten_digits():
+def test_a_custom_law_is_probed_to_ten_digits():
     cushion, ball = laws.RigidCushion(0.891, 0.242), laws.RoughBall()
     shot = Shot(3.0, 1.0, 1.0, 0.0, 0.5)
     own = sensitivity(carom(ball, cushion), "white", shot)
-    foreign = sensitivity(
+    custom = sensitivity(
         carom(lambda *contact: ball(*contact), lambda *hit: cushion(*hit)), "white", shot
     )
-    assert foreign.rest == pytest.approx(own.rest, rel=1e-9, abs=1e-9)
-    assert (foreign.rest != own.rest).any()
+    assert custom.rest == pytest.approx(own.rest, rel=1e-9, abs=1e-9)
+    assert (custom.rest != own.rest).any()
 
 
 def test_a_ball_that_rolls_already_depends_on_the_shot_only_once_it_is_hit():

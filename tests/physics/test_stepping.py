@@ -120,7 +120,7 @@ def test_between_grid_times_a_ball_is_on_its_way(scheme):
     assert world.next_event == 0.01
 
 
-def test_a_push_begins_the_grid_anew():
+def test_a_push_starts_a_new_grid():
     world = World(engine=TimeStepping(0.01))
     ball = world.add(Ball("white", at=(0.0, 0.0), velocity=(1.0, 0.0)))
     world.add(Ball("red", at=(0.0, 1.0), velocity=(1.0, 0.0)))

@@ -135,7 +135,7 @@ def test_laws_come_back_with_their_coefficients(cushion, ball):
 def test_what_a_file_cannot_hold_is_refused_by_name(tmp_path):
     world = scenes.carom()
     world.cushion_law = lambda v, roll, side: (v, roll, side)
-    with pytest.raises(ValueError, match="the cushion law '<lambda>' comes from outside"):
+    with pytest.raises(ValueError, match="the cushion law '<lambda>' is a custom one"):
         store.save(world, tmp_path / "table.json")
     assert list(tmp_path.iterdir()) == []
     world = World()
@@ -337,7 +337,7 @@ def test_the_energies_of_random_scenes_add_up_whoever_meddles(seed):
     assert len(kinds) == len(world.log) + 2
 
 
-def test_an_entry_tells_what_its_event_tells():
+def test_an_entry_says_what_its_event_says():
     world = simulate(scenes.carom(), "white", SHOT)
     for entry, event in zip(ledger.ledger(world.log), world.log, strict=True):
         assert (entry.time, entry.kind, entry.ball) == (event.time, event.kind, event.balls[0])

@@ -1,4 +1,4 @@
-"""`python -m physics sweep`: ranges of shots in, tables out; and what batches tell on their way."""
+"""`python -m physics sweep`: ranges of shots in, tables out; and the progress of batches."""
 
 import csv
 import pickle
@@ -45,9 +45,9 @@ def test_a_sweep_is_the_batch_of_all_combinations(tmp_path, capsys):
         assert kept["balls"].tolist() == ["white", "yellow", "red", "red 2"]
         assert np.array_equal(kept["shots"], table[:, :6])
         assert np.array_equal(kept["positions"], wanted.positions)
-    told = capsys.readouterr()
-    assert told.out == ""
-    assert told.err == (
+    printed = capsys.readouterr()
+    assert printed.out == ""
+    assert printed.err == (
         f"30 shots at white, {wanted.events.sum()} events; written to {arrays} and {file}\n"
     )
 
@@ -65,7 +65,7 @@ def test_jumps_are_swept_like_the_other_numbers(capsys):
 
 
 @pytest.mark.parametrize("more", [["--threads", "2"], ["--processes", "2"]])
-def test_who_does_the_work_changes_no_digit(more, capsys):
+def test_what_does_the_work_changes_no_digit(more, capsys):
     ranges = ["sweep", "carom", "--speed", "3", "--angle", "0:330:30", "--csv", "-"]
     for engine in ([], ["--engine", "thesis", "--dt", "0.01"]):
         main([*ranges, *engine])
@@ -125,10 +125,10 @@ def test_what_cannot_be_swept_is_said(arguments, message, capsys):
         code = main(["sweep", "carom", *arguments])
     except SystemExit as end:  # argparse
         code = end.code
-    told = capsys.readouterr()
+    printed = capsys.readouterr()
     assert code == 2
-    assert message in told.err
-    assert told.out == ""
+    assert message in printed.err
+    assert printed.out == ""
 
 
 def test_a_long_sweep_shows_a_bar(capsys, monkeypatch):
@@ -152,18 +152,18 @@ def test_without_a_terminal_or_without_tqdm_there_is_no_bar(capsys, monkeypatch)
 
 @pytest.mark.parametrize("engine", [EventDriven(), TimeStepping(0.02)])
 @pytest.mark.parametrize("threads", [0, 2])
-def test_a_batch_tells_how_far_it_is(engine, threads, monkeypatch):
+def test_a_batch_says_how_far_it_is(engine, threads, monkeypatch):
     monkeypatch.setattr("physics.batch.many.CHUNK", 30)
-    world, told = scenes.carom(), []
+    world, done = scenes.carom(), []
     world.engine = engine
     shots = [Shot(3.0, float(k)) for k in range(70)]
     if threads:
         with ThreadPoolExecutor(threads) as pool:
-            simulate_many(world, "white", shots, pool, progress=told.append)
+            simulate_many(world, "white", shots, pool, progress=done.append)
     else:
-        simulate_many(world, "white", shots, progress=told.append)
-    assert sum(told) == 70
-    assert len(told) > 1
+        simulate_many(world, "white", shots, progress=done.append)
+    assert sum(done) == 70
+    assert len(done) > 1
 
 
 def test_an_engine_without_batches_may_share_the_work_too():

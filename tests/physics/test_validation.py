@@ -2,7 +2,7 @@
 
 Ids are in the names of tests, or in a comment beside them; the first test says that none is left
 out, here or elsewhere. Checks of tier "soft" are bands of what real tables do: ours lie inside,
-docs/physics.md has the figures.
+docs/accuracy.md has the figures.
 """
 
 import re

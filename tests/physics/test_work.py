@@ -35,8 +35,8 @@ def test_no_pair_of_resting_balls_and_no_ball_out_of_reach_costs_a_contact_solve
     world = scenes.carom()
     world.strike("white", STRUCK["carom"][1])
     counts = work(world, inf)
-    everybody = counts["legs"] * (len(world.balls) - 1)
-    assert counts["contact solves"] < 0.5 * everybody
+    everything = counts["legs"] * (len(world.balls) - 1)
+    assert counts["contact solves"] < 0.5 * everything
 
 
 def test_a_world_at_rest_costs_nothing():

@@ -1,4 +1,4 @@
-"""The world: its time, its state from outside, and what it tells of what happened."""
+"""The world: its time, its state as callers see it, and what it says of what happened."""
 
 import gc
 from math import pi

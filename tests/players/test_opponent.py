@@ -148,6 +148,7 @@ def outcomes(key: str, thinker: Opponent) -> Iterator[bool]:
         yield match.judged(after.log).made
 
 
+@pytest.mark.stress  # that levels err less and less, and as stated, is tested below
 def test_a_better_level_scores_more() -> None:
     made = [record(level)[1] for level in (NOVICE, EXPERT, MASTER)]
     assert made == sorted(made)

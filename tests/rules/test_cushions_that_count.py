@@ -131,7 +131,7 @@ def test_contacts_and_events_say_the_same_also_after_the_log_was_cleared():
         world.log.clear()
 
 
-# -- against a referee who reads no event
+# -- against a referee that reads no event
 
 
 def corner(dice: Random, law: laws.CushionLaw) -> tuple[World, Shot]:

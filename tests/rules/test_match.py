@@ -1,4 +1,4 @@
-"""Whole games played by hand-written logs, and what holds whatever happens."""
+"""Whole games played by hand-written logs, and what always holds."""
 
 import pytest
 from hypothesis import given
@@ -8,7 +8,7 @@ from danggu.rules.carom import Carom
 from danggu.rules.match import Match, Player
 from danggu.rules.sagu import EXTRA_3C, LAST_POINT_3C, NONE, Sagu
 from danggu.rules.verdict import Turn, Verdict
-from tests.support.event_log import EAST, NORTH, R1, R2, RED, SOUTH, WEST, YELLOW, Entry, log
+from tests.support.event_log import EAST, NORTH, R1, R2, RED, SOUTH, WEST, YELLOW, FakeEvent, log
 
 # Whole games
 
@@ -233,5 +233,5 @@ def outcome(verdict: Verdict) -> tuple[object, ...]:
 
 @given(st.lists(THREE_STEPS, max_size=8))
 def test_the_order_of_names_in_an_entry_means_nothing(steps: list[str]) -> None:
-    turned = [Entry(e.time, e.kind, e.balls[::-1], e.wall) for e in log(*steps)]
+    turned = [FakeEvent(e.time, e.kind, e.balls[::-1], e.wall) for e in log(*steps)]
     assert Carom().verdict(turned, Turn()) == Carom().verdict(log(*steps), Turn())

@@ -236,7 +236,7 @@ def test_rolling_and_resting_are_nothing_to_the_rules() -> None:
 # What the card says
 
 
-def test_the_facts_tell_balls_and_cushions_in_order() -> None:
+def test_the_facts_name_balls_and_cushions_in_order() -> None:
     facts = sagu(WEST, R2, NORTH, EAST, R1, SOUTH, R1).facts
     assert facts.hits == ("red2", "red1")
     assert (facts.cushions, facts.bank) == (3, 1)
@@ -244,7 +244,7 @@ def test_the_facts_tell_balls_and_cushions_in_order() -> None:
     assert facts.decided == pytest.approx(5 * BEAT)
 
 
-def test_an_undecided_stroke_tells_everything() -> None:
+def test_an_undecided_stroke_gives_all_facts() -> None:
     facts = three(YELLOW, WEST, NORTH).facts
     assert (facts.hits, facts.cushions, facts.decided) == (("yellow",), 2, None)
 
@@ -271,7 +271,7 @@ def test_the_yellow_player_scores_with_the_yellow_ball() -> None:
     assert Sagu().verdict(log("yellow-red1", R2, YELLOW), turn).reason == "opponent_ball"
 
 
-def test_the_free_table_judges_nothing_and_tells_everything() -> None:
+def test_the_free_table_judges_nothing_and_gives_all_facts() -> None:
     match = Match.of(Free(), Player("a"))
     verdict = match.judged(log(YELLOW, WEST, R1))
     assert outcome(verdict) == ("free", 0, False)

@@ -1,6 +1,6 @@
-"""Somebody who presses, drags, types and commands at random, on any table with any engine.
+"""A player that presses, drags, types and commands at random, on any table with any engine.
 
-What must hold whatever they do: nothing is raised, every number stays finite, and undo gives back
+What must always hold: nothing is raised, every number stays finite, and undo gives back
 the digits that were there before.
 """
 
@@ -77,7 +77,7 @@ def engines(scheme: str, jumps: bool = False) -> Iterator[None]:
         yield
 
 
-class Anybody:
+class RandomPlayer:
     """A player without a plan; the same for the same seed."""
 
     def __init__(self, app: App, seed: object, far: float = 20.0) -> None:
@@ -217,24 +217,24 @@ def play(seed: object, count: int, *, jumps: bool = False, scheme: str = "exact"
         # each preview of fixed steps takes as long as a shot
         app.preferences.settings.aids = "off" if stepping else "full"
         # the thesis's program lets balls through its cushions
-        somebody = Anybody(app, seed, inf if scheme == "literal" else 20.0)
+        player = RandomPlayer(app, seed, inf if scheme == "literal" else 20.0)
         for k in range(count):
-            somebody.do_anything()
-            if somebody.rng.random() < 0.4:
-                _let_time_pass(app, somebody, drawn=k % 3 == 0)
+            player.do_anything()
+            if player.rng.random() < 0.4:
+                _let_time_pass(app, player, drawn=k % 3 == 0)
             if k % 150 == 149:
                 assert_same_as_anew(app)
         return app
 
 
-def _let_time_pass(app: App, somebody: Anybody, *, drawn: bool) -> None:
-    ticks = somebody.rng.choice((FRAME, FRAME, 6 * FRAME, 30 * FRAME))
+def _let_time_pass(app: App, player: RandomPlayer, *, drawn: bool) -> None:
+    ticks = player.rng.choice((FRAME, FRAME, 6 * FRAME, 30 * FRAME))
     if drawn:
         app.frame(ticks)
     else:
         app.update(ticks)
         app.perform(app.thinker.think(), human=False)
-    somebody.check()
+    player.check()
 
 
 PLACES: list[dict[str, str]] = [

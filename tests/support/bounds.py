@@ -62,7 +62,7 @@ def main() -> None:
             assert np.array_equal(a, b), name
         print(name, int(plain.events.sum()))
     if os.environ.get("NUMBA_BOUNDSCHECK") != "1":
-        return  # what nobody checks would crash
+        return  # unchecked, it would crash
     try:
         overrun()
     except IndexError:

@@ -7,7 +7,7 @@ BEAT = 0.1  # s between contacts, unless a test says otherwise
 
 
 @dataclass(frozen=True)
-class Entry:
+class FakeEvent:
     time: float
     kind: str
     balls: tuple[str, ...]
@@ -15,12 +15,12 @@ class Entry:
     away: float = inf
 
 
-def log(*steps: str) -> list[Entry]:
+def log(*steps: str) -> list[FakeEvent]:
     """One entry a beat: "A-B" two balls meet, "A|west" a ball and a wall, "A!" leaves the table.
 
     "=" before a step puts it at the instant of the step before; a bare ball name comes to rest.
     """
-    entries: list[Entry] = []
+    entries: list[FakeEvent] = []
     time = 0.0
     for step in steps:
         time += 0.0 if step.startswith("=") else BEAT
@@ -28,15 +28,15 @@ def log(*steps: str) -> list[Entry]:
     return entries
 
 
-def entry(time: float, step: str, away: float = inf) -> Entry:
+def entry(time: float, step: str, away: float = inf) -> FakeEvent:
     """One entry; `away` is how far, m, the ball had been from the cushion that it meets."""
     if "|" in step:
         ball, wall = step.split("|")
-        return Entry(time, "cushion", (ball,), wall, away)
+        return FakeEvent(time, "cushion", (ball,), wall, away)
     if step.endswith("!"):
-        return Entry(time, "off", (step[:-1],))
+        return FakeEvent(time, "off", (step[:-1],))
     balls = tuple(step.split("-"))
-    return Entry(time, "ball" if len(balls) == 2 else "rest", balls)
+    return FakeEvent(time, "ball" if len(balls) == 2 else "rest", balls)
 
 
 R1, R2, YELLOW, RED = "white-red1", "red2-white", "white-yellow", "red-white"

@@ -21,7 +21,7 @@ ELEMENTARY = {
 
 
 def _foreign(*_: Any) -> Any:
-    raise NotImplementedError("laws from outside are not run in 50 digits")
+    raise NotImplementedError("custom laws are not run in 50 digits")
 
 
 @cache

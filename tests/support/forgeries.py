@@ -1,4 +1,4 @@
-"""Records as nobody plays them: well-formed ones with things changed in them, by a seed."""
+"""Records as no one plays them: well-formed ones with things changed in them, by a seed."""
 
 from __future__ import annotations
 

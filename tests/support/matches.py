@@ -1,4 +1,4 @@
-"""What tests of matches share: hands on the menu, a known opening, and what the window tells."""
+"""What tests of matches share: hands on the menu, a known opening, and what the window shows."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A referee who never reads an event: who looks where the balls are, densely, and counts.
+"""A referee that never reads an event: it looks where the balls are, densely, and counts.
 
 Balls are read off their legs at least every half millisecond.  A ball touches what it is next to
 where a leg begins with a velocity that the leg before has not led to; it has left a cushion where a
@@ -18,7 +18,7 @@ TURNED = 1e-9  # m/s
 
 
 @dataclass
-class Seen:
+class Sighting:
     """What a cue ball did.
 
     hits      the balls it touched, each with the time of its first contact, s
@@ -39,9 +39,9 @@ class Seen:
         return len(self.hits) == 2 and self.before(max(self.hits.values())) >= cushions
 
 
-def watched(world: World, cue: str, apart: float) -> Seen:
+def watched(world: World, cue: str, apart: float) -> Sighting:
     """What the ball named `cue` did in the log of a world that has been played."""
-    seen, others = Seen(), [name for name in world.log.names if name != cue]
+    seen, others = Sighting(), [name for name in world.log.names if name != cue]
     own = world.log.legs(cue)
     rest = {name: world.log.legs(name) for name in others}
     far = {wall.name: 0.0 for wall in world.walls}

@@ -6,20 +6,26 @@ from collections import Counter
 import pytest
 
 from benchmarks import __main__ as benchmarks
-from benchmarks import report, switches
+from benchmarks import report, scale, switches
+from benchmarks.crowds import field, gas
 from benchmarks.skips import go, planned
 from benchmarks.timing import in_turns
-from benchmarks.work_precision import Setting, order
-from benchmarks.workload import break_shot
+from benchmarks.work_precision import Setting, order, sample
+from benchmarks.workload import break_shot, truth
+from physics import scenes, simulate
 
 NEEDS = {
     "speed": ["numba"], "work-precision": ["numba", "mpmath", "matplotlib"],
     "scale": ["numba", "matplotlib"], "peers": ["numba"], "skips": [], "batch": ["numba"],
     "frame": [],
 }  # fmt: skip
+# what these measure with is tried below, or needs nothing else than the pages of the others
+LONG = ("speed", "work-precision", "scale", "skips")
 
 
-@pytest.mark.parametrize("command", NEEDS)
+@pytest.mark.parametrize(
+    "command", [pytest.param(c, marks=[pytest.mark.stress] * (c in LONG)) for c in NEEDS]
+)
 def test_a_measurement_writes_its_page_and_its_numbers(command, tmp_path, capsys):
     for module in NEEDS[command]:
         pytest.importorskip(module)
@@ -34,6 +40,26 @@ def test_a_measurement_writes_its_page_and_its_numbers(command, tmp_path, capsys
     assert all(len(row) == len(heads) for row in rows)
     for picture in tmp_path.glob("*.png"):
         assert 1000 < picture.stat().st_size < 150_000
+
+
+@pytest.mark.parametrize("command", [*NEEDS, "all", "golden", "stress"])
+def test_every_command_says_how_it_is_used(command, capsys):
+    with pytest.raises(SystemExit) as left:
+        benchmarks.main([command, "--help"])
+    assert left.value.code == 0
+    assert f"usage: python -m benchmarks {command}" in capsys.readouterr().out
+
+
+def test_a_gas_goes_on_and_a_shot_among_many_ends():
+    assert 40 <= scale.advance_for(gas(30), 40) < 80
+    assert len(simulate(field(16), "0", scale.SHOT).log) > 4
+
+
+def test_a_step_ends_off_the_exact_engine_by_what_it_is_late():
+    pytest.importorskip("mpmath")
+    true = truth(scenes.single)
+    early, late = (sample(scenes.single, "thesis", dt, true)[1] for dt in (1e-4, 1e-2))
+    assert 0.0 < max(early) < max(late) < 1.0
 
 
 def test_what_takes_turns_is_run_once_a_round_and_each_is_first_in_turn():

@@ -1,4 +1,4 @@
-"""What is told of balls in the air: ledger, heights for plots, and whom a foreign law is about."""
+"""Balls in the air in the log: ledger, heights for plots, and the balls a custom law was given."""
 
 import math
 
@@ -96,7 +96,7 @@ def test_heights_at_no_rate_are_refused(rate):
         heights(pair(), rate)
 
 
-# -- laws from outside
+# -- custom laws
 
 
 @pytest.mark.parametrize("spin", [(0.0, 0.0, 0.0), (5.0, 40.0, -60.0)], ids=["plain", "spinning"])
