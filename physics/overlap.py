@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 from .kernel.body import Scene
 from .kernel.kinds import CUSHION, PAIR, REST, RESTING, ROLL
 from .kernel.laws import hit_ball, hit_wall
-from .kernel.leg import begin, carry, place, settle
+from .kernel.leg import begin, carry, end, place
 from .kernel.obstacle import clearance, facing
 from .kernel.tilt import between
 
@@ -46,7 +46,7 @@ def note(world: "World", time: float, kind: int, i: int, other: int) -> None:
 def end_phase(world: "World", time: float, i: int) -> None:
     """Ball i, at `time` already, stops sliding or rolling."""
     ball = world.scene.balls[i]
-    settle(ball)
+    end(ball, ROLL)
     launch(ball, world.scene.cloth)
     mark(world, i)
     note(world, time, REST if ball.phase == RESTING else ROLL, i, -1)

@@ -18,7 +18,7 @@ from .checks import nonnegative, vector
 from .dual import Dual, kernel, slope, value
 from .engine import EventDriven
 from .kernel.impulses import WALL
-from .kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, RESTING
+from .kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, RESTING, ROLL
 from .log import Event
 from .shot import Shot, direction
 from .simulation import simulate
@@ -220,7 +220,7 @@ class _Replay:
     def _collide(self, kind: int, i: int, other: int, pairs: list[list[int]]) -> None:
         scene, laws, balls = self.scene, self.kernel.laws, self.balls
         if not KINDS[kind].contact:
-            self.kernel.leg.settle(balls[i])
+            self.kernel.leg.end(balls[i], ROLL)
         elif kind == CUSHION:
             normal = self._facing(other, balls[i].position)
             laws.hit_wall(balls[i], normal, scene.cushion_rule)
