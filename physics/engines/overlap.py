@@ -7,7 +7,7 @@ from physics.engines.engine import Movable
 from physics.kernel.body import Scene
 from physics.kernel.kinds import CUSHION, PAIR, REST, RESTING, ROLL
 from physics.kernel.laws import hit_ball, hit_wall
-from physics.kernel.leg import begin, carry, place, settle
+from physics.kernel.leg import begin, carry, end, place
 from physics.kernel.obstacle import clearance, facing
 from physics.kernel.tilt import between
 
@@ -44,7 +44,7 @@ def note(world: Movable, time: float, kind: int, i: int, other: int) -> None:
 def end_phase(world: Movable, time: float, i: int) -> None:
     """Ball i, at `time` already, stops sliding or rolling."""
     ball = world.scene.balls[i]
-    settle(ball)
+    end(ball, ROLL)
     launch(ball, world.scene.cloth)
     mark(world, i)
     note(world, time, REST if ball.phase == RESTING else ROLL, i, -1)

@@ -22,7 +22,7 @@ from .kinds import (
 )
 from .lasting import FEW, NEVER, forget, lean, leans, meets_slowly, rests_on
 from .laws import hit_ball, hit_wall
-from .leg import begin, carry, leave, reach, settle
+from .leg import begin, carry, end, reach
 from .motion import length
 from .obstacle import clearance, facing, meet_first, meet_first_aloft
 from .subset import complex, inf, kernel, whole
@@ -150,12 +150,10 @@ def happen(i, scene):
     if ball.meets <= ball.leg_end:
         return meet(i, ball.partner, instant, time, scene)
     kind, goal = ball.ending, ball.goal
-    if kind == ROLL:
-        settle(ball)
-    elif kind == LAND:
+    if kind == LAND:
         land(ball, cloth, scene.cushion_rule.parting)
     elif kind != CUSHION:
-        leave(ball)
+        end(ball, kind)
     elif ball.phase == AIRBORNE:
         hit_nose(ball, scene.walls[goal], scene.cushion_rule)
     else:

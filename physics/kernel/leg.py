@@ -1,11 +1,11 @@
 """A leg: what a ball does from one event to the next.
 
 Where it is on a leg is a polynomial of the time. Which leg it is on follows from its state alone,
-and is a matter of its phase (kinds.py): `begin` finds the phase, `moved` goes along it, `settle`
-ends it.
+and is a matter of its phase (kinds.py): `begin` finds the phase, `moved` goes along it, `end` ends
+it.
 """
 
-from .kinds import AIRBORNE, LAND, OFF, RESTING, ROLL, ROLLING
+from .kinds import AIRBORNE, LAND, LEAVE, OFF, RESTING, ROLL, ROLLING
 from .motion import faded, motion
 from .subset import inf, kernel, sqrt
 
@@ -100,18 +100,15 @@ def carry(ball, time, cloth):
 
 
 @kernel
-def settle(ball):
-    """Make the end of a phase exact: sliding ends in rolling, rolling in rest."""
-    if ball.phase == ROLLING:
-        ball.velocity = 0j
-    ball.roll = ball.velocity
-
-
-@kernel
-def leave(ball):
-    """It is over the cushion, and off the table."""
-    ball.velocity, ball.roll, ball.side = 0j, 0j, 0.0
-    ball.height, ball.climb, ball.fall = BELOW, 0.0, 0.0
+def end(ball, kind):
+    """What that event leaves of a ball that nothing has hit."""
+    if kind == ROLL:  # exactly: sliding ends in rolling, rolling in rest
+        if ball.phase == ROLLING:
+            ball.velocity = 0j
+        ball.roll = ball.velocity
+    elif kind == LEAVE:
+        ball.velocity, ball.roll, ball.side = 0j, 0j, 0.0
+        ball.height, ball.climb, ball.fall = BELOW, 0.0, 0.0
 
 
 @kernel

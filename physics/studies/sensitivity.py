@@ -17,7 +17,7 @@ from physics.ball import Ball
 from physics.checks import nonnegative, vector
 from physics.engines.exact import EventDriven
 from physics.kernel.impulses import WALL
-from physics.kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, RESTING
+from physics.kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, RESTING, ROLL
 from physics.kernel.lasting import FEW
 from physics.log import Event
 from physics.shot import Shot, direction
@@ -227,7 +227,7 @@ class _Replay:
     def _collide(self, kind: int, i: int, other: int, pairs: list[list[int]]) -> None:
         scene, laws, balls = self.scene, self.kernel.laws, self.balls
         if not KINDS[kind].contact:
-            self.kernel.leg.settle(balls[i])
+            self.kernel.leg.end(balls[i], ROLL)
         elif kind == CUSHION:
             normal = self._facing(other, balls[i].position)
             laws.hit_wall(balls[i], normal, scene.cushion_rule)
