@@ -10,7 +10,7 @@ from physics import Ball, Shot, Wall, World, scenes, simulate, tables
 from physics.kernel.kinds import KINDS, PHASES
 from physics.kernel.obstacle import clearance, facing, farthest
 
-ROOT = Path(__file__).parent.parent
+ROOT = Path(__file__).parents[2]
 BY_NAME = {kind.name: kind for kind in KINDS}
 
 
@@ -90,7 +90,7 @@ def test_a_ball_laid_along_a_wall_is_as_far_from_it_as_was_asked():
 
 
 KNOW_LINES = {"physics/kernel/obstacle.py", "physics/wall.py"}
-OTHER_MEANINGS = {"physics/cue.py", "game/render/balls.py", "game/render/gauges.py"}
+OTHER_MEANINGS = {"physics/cue.py", "game/render/table/balls.py", "game/render/parts/gauges.py"}
 
 
 def test_no_other_file_knows_what_a_wall_looks_like():
