@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from math import inf
 
 from danggu.rules.stroke import Act, Stroke, stroke
-from tests.support.event_log import BEAT, Entry
+from tests.support.event_log import BEAT, FakeEvent
 
 NAME = r"[A-Za-z0-9_]+"
 EVENT = re.compile(
@@ -28,7 +28,7 @@ TOKEN = re.compile(r"\([^()]*\)|[^\s()]+")
 class Written:
     """What the events of a case say: a log, what a referee saw, and remarks in brackets."""
 
-    log: list[Entry] = field(default_factory=list)
+    log: list[FakeEvent] = field(default_factory=list)
     acts: list[Act] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
 
@@ -65,16 +65,16 @@ def _write(
     ball = found["ball"]
     if found["hits"]:
         for other in found["hits"].split("+"):
-            written.log.append(Entry(time, "ball", (ball, other)))
+            written.log.append(FakeEvent(time, "ball", (ball, other)))
     elif found["off"]:
-        written.log.append(Entry(time, "off", (ball,)))
+        written.log.append(FakeEvent(time, "off", (ball,)))
     elif found["word"]:
         written.acts.append(Act(ball, found["word"], remark))
     elif "^" in found[0]:
-        written.log.append(Entry(time, "pocket", (ball,), found["pocket"] or ""))
+        written.log.append(FakeEvent(time, "pocket", (ball,), found["pocket"] or ""))
     else:
         away = _away(lies.pop(ball, None), found["wall"], remark)
-        written.log.append(Entry(time, "cushion", (ball,), found["wall"] or "some", away))
+        written.log.append(FakeEvent(time, "cushion", (ball,), found["wall"] or "some", away))
 
 
 def _away(lies: str | None, wall: str | None, remark: str) -> float:
