@@ -1,6 +1,6 @@
-"""A wall: a straight line without end; the table is what lies inside them all.
+"""A wall: an endless straight line; the table is what lies inside them all.
 
-What an obstacle looks like is for the kernel to say (kernel/obstacle.py); this asks it.
+The shape of an obstacle and its geometry are the kernel's (kernel/obstacle.py).
 """
 
 from dataclasses import dataclass, field
@@ -16,8 +16,8 @@ ROUNDING = 4e-16  # and of one that is a unit as far as it can be
 
 
 class Obstacle:
-    """What stands on a table: a kind of it has a name and a shape, and says where a ball is that is
-    laid against it."""
+    """Anything that stands on a table. Each kind has a name and a shape, and says where a ball lies
+    that is laid against it."""
 
     __slots__ = ()
 
@@ -26,26 +26,27 @@ class Obstacle:
     shape: Shape
 
     def distance(self, p: tuple[float, float]) -> float:
-        """How far away the point (x, y) is, metres; negative in it or behind it."""
+        """How far away the point (x, y) is, m; negative inside it or behind it."""
         return float(obstacle.clearance(self.shape, complex(*p), 0.0))
 
     def facing(self, p: tuple[float, float]) -> complex:
-        """The direction, of length 1, in which it pushes what is at the point (x, y)."""
+        """The direction, of length 1, in which it pushes a ball at the point (x, y)."""
         return complex(obstacle.facing(self.shape, complex(*p)))
 
     def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
-        """The greatest distance, m, of a point that begins at p with v and accelerates with a,
-        within t seconds."""
+        """The greatest distance, m, within t seconds, of a point that starts at p with v and
+        accelerates with a."""
         return float(obstacle.farthest(self.shape, p, v, a, t))
 
     def lines(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
-        """Along which a ball of that radius slides, `gap` away from it, m: each a normal n and the
-        offset d of all centres p, where (conj(n) * p).real is d."""
+        """The lines on which the centre of a ball of that radius slides along it, `gap` m away: for
+        each its normal n and offset d, (conj(n) * p).real = d for the points p on it."""
         return ()
 
     def circles(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
-        """The same: centre and radius."""
+        """The circles on which it does: for each its centre and radius, m."""
         return ()
+
 
 @dataclass(frozen=True, slots=True)
 class Wall(Obstacle):
@@ -55,6 +56,7 @@ class Wall(Obstacle):
     normal: inward unit normal, as a complex number.
     offset: m.
     name: for events, or None.
+    shape: for the kernel, from normal and offset.
     """
 
     kind: ClassVar[str] = "line"
@@ -68,7 +70,7 @@ class Wall(Obstacle):
         keep(self, finite, "offset")
         normal = _unit(self.normal)
         size = length(normal)
-        if abs(size - 1.0) > ROUNDING:  # the same line, of which the normal is a unit
+        if abs(size - 1.0) > ROUNDING:  # the same line, with a unit normal
             normal, offset = normal / size, self.offset / size
             object.__setattr__(self, "offset", offset)
         object.__setattr__(self, "normal", normal)
