@@ -13,7 +13,7 @@ from danggu.players.positions import SAGU, SHELF, THREE_CUSHION, Position, openi
 from danggu.rules.carom import Carom
 from danggu.rules.match import Match, Player
 from danggu.rules.sagu import Sagu
-from danggu.rules.state import State
+from danggu.rules.state import GameState
 from danggu.rules.stroke import Event
 from danggu.rules.verdict import Rules, Turn, Verdict
 from physics import Ball, World, tables
@@ -31,7 +31,7 @@ class OneWay:
     cues = ("white", "yellow")
     balls = ()
 
-    def start(self, players: int) -> State:
+    def start(self, players: int) -> GameState:
         return self.rules.start(players)
 
     def targets(self, turn: Turn) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from .carom import Carom
-from .state import FRESH, State
+from .state import FRESH, GameState
 from .stroke import Stroke, Zone
 from .verdict import Turn, Verdict
 
@@ -22,8 +22,19 @@ Point = tuple[float, float]
 class Balkline(Carom):
     """Cannons without a cushion, of which only `limit` may be made with both balls in one zone.
 
-    name   "straight_rail" (zones in the corners), or the distance of the lines in cm and the limit
-    limit  2: the second cannon must drive a ball out; 1: the first
+    cushions: always 0.
+    bank: points of a cannon that met a cushion before the first ball (the PBA gives 2).
+    red_first: the opening stroke must hit the red before the other ball.
+    penalty: points that a foul costs; federations take none.
+    floor_zero: the score never falls below zero.
+    umb: the rules of the UMB: the opening stroke goes to the red directly (3.3), the cushion that
+    the cue ball lies against may not be played (4.1), and balls that touch the cue ball may be
+    spotted (3.7).
+    cues: names of the cue balls, in the order of play.
+    red: name of the red.
+    name: "straight_rail" (zones in the corners), or "balkline" with the distance of the lines in
+    cm and the limit.
+    limit: 2, the second cannon must drive a ball out of the zone; 1, the first.
     """
 
     cushions: int = 0
@@ -40,14 +51,14 @@ class Balkline(Carom):
     def key(self) -> str:
         return self.name
 
-    def start(self, players: int) -> State:
+    def start(self, players: int) -> GameState:
         return FRESH
 
     def cannon(self, done: Stroke, turn: Turn) -> Verdict:
         verdict = Carom.cannon(self, done, turn)
         rest = done.rest
         if not verdict.made:
-            # an inning begins as if the balls had just come to where they lie
+            # an inning begins as if the balls had just entered the zone
             state = self._state(turn, self.after("", rest.zone), self.after("", rest.anchor))
             return replace(verdict, state=state)
         zone = self.after(turn.state.zone, rest.zone)
@@ -57,7 +68,7 @@ class Balkline(Carom):
             return Verdict(REMAINED, foul=True, facts=verdict.facts, state=fresh)
         return replace(verdict, state=self._state(turn, zone, anchor))
 
-    def _state(self, turn: Turn, zone: str, anchor: str) -> State:
+    def _state(self, turn: Turn, zone: str, anchor: str) -> GameState:
         return replace(turn.state, zone=zone, anchor=anchor)
 
     def after(self, before: str, zone: Zone) -> str:
@@ -74,13 +85,16 @@ class Balkline(Carom):
 
 @dataclass(frozen=True, slots=True)
 class Area:
-    """A convex zone: its corners, anticlockwise, m.  The lines around it belong to it, so a ball on
-    a line counts as in both zones: the case that is worse for the player (5.1.3)."""
+    """A convex zone. Its boundary belongs to it, so a ball on a line counts as in both zones, the
+    case that is worse for the player (5.1.3).
+
+    corners: (x, y) of each, anticlockwise, m.
+    """
 
     corners: tuple[Point, ...]
 
     def holds(self, at: Point) -> bool:
-        """Whether the point lies in it or on a line around it."""
+        """Whether the point lies inside or on the boundary."""
         ends = (*self.corners[1:], self.corners[0])
         return all(
             (bx - ax) * (at[1] - ay) >= (by - ay) * (at[0] - ax)
@@ -94,8 +108,8 @@ def rectangle(x: Point, y: Point) -> Area:
 
 
 def corners(length: float, width: float) -> tuple[Area, ...]:
-    """The four barred corners of straight rail on a playing area centred at (0, 0), m: a quarter of
-    each side long (71 cm and 35.5 cm on a match table)."""
+    """The four barred corners of straight rail on a playing area centred at (0, 0), m: triangles
+    with legs a quarter of each side long (71 cm and 35.5 cm on a match table)."""
     a, b = length / 2, width / 2
     found = []
     for sx, sy in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
@@ -105,7 +119,7 @@ def corners(length: float, width: float) -> tuple[Area, ...]:
 
 
 def squares(length: float, width: float, apart: float) -> tuple[Area, ...]:
-    """The zones of balkline: lines `apart` m from each cushion."""
+    """The nine zones of balkline, between lines `apart` m from each cushion."""
     xs = (-length / 2, -length / 2 + apart, length / 2 - apart, length / 2)
     ys = (-width / 2, -width / 2 + apart, width / 2 - apart, width / 2)
     return tuple(
@@ -125,7 +139,7 @@ def anchors(length: float, width: float, apart: float, side: float = 0.178) -> t
 
 
 def zone(areas: Sequence[Area], first: Sequence[Point], second: Sequence[Point]) -> Zone:
-    """How two balls lie that have gone these ways, m: from where they lay to where they lie."""
+    """How two balls lie, given the path of each: its points (x, y) in m, from first to last."""
     both = [area for area in areas if area.holds(first[-1]) and area.holds(second[-1])]
     if not both:
         held = [any(area.holds(way[-1]) for area in areas) for way in (first, second)]

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from math import inf
 
-from .state import FRESH, Option, Question, State
+from .state import FRESH, GameState, Option, Question
 from .stroke import TIE, Event, Stroke, stroke
 from .verdict import FEW_CUSHIONS, NO_BALL, OFF_TABLE, ONE_BALL, SAME_INSTANT, Turn, Verdict, facts
 
@@ -21,13 +21,16 @@ KEYS = {0: "straight", 1: "one_cushion", 3: "three_cushion"}
 class Carom:
     """A point for both other balls, the second one after enough cushions.
 
-    bank        points of a cannon that met a cushion before the first ball (the PBA gives 2)
-    red_first   the opening stroke must hit the red before the other ball
-    penalty     points that a foul costs; federations take none
-    floor_zero  the score never falls below zero
-    umb         as the UMB has it: the opening stroke goes to the red directly (3.3), and the
-                cushion that the cue ball lies against may not be played (4.1); balls that touch the
-                cue ball may be spotted (3.7)
+    cushions: cushion contacts needed, 3, 1 or 0.
+    bank: points of a cannon that met a cushion before the first ball (the PBA gives 2).
+    red_first: the opening stroke must hit the red before the other ball.
+    penalty: points that a foul costs; federations take none.
+    floor_zero: the score never falls below zero.
+    umb: the rules of the UMB: the opening stroke goes to the red directly (3.3), the cushion that
+    the cue ball lies against may not be played (4.1), and balls that touch the cue ball may be
+    spotted (3.7).
+    cues: names of the cue balls, in the order of play.
+    red: name of the red.
     """
 
     cushions: int = 3
@@ -53,7 +56,7 @@ class Carom:
     def balls(self) -> tuple[str, ...]:
         return (*self.cues, self.red)
 
-    def start(self, players: int) -> State:
+    def start(self, players: int) -> GameState:
         return FRESH
 
     def targets(self, turn: Turn) -> tuple[str, ...]:
@@ -71,8 +74,8 @@ class Carom:
         return self.asked(done, turn, self.cannon(done, turn))
 
     def asked(self, done: Stroke, turn: Turn, verdict: Verdict) -> Verdict:
-        """The verdict with the question whether balls that touch the next cue ball are spotted:
-        those alone in three-cushion, else all three (UMB 3.7)."""
+        """The verdict, with a question if a ball touches the next cue ball: are balls spotted, in
+        three-cushion those that touch, in the other games all (UMB 3.7)?"""
         after = (turn.player + verdict.passes) % turn.players
         cue = self.cues[after % len(self.cues)]
         touch = {ball for pair in done.rest.touching if cue in pair for ball in pair}
@@ -85,7 +88,7 @@ class Carom:
         return replace(verdict, question=Question(options, not verdict.passes, optional=True))
 
     def cannon(self, done: Stroke, turn: Turn) -> Verdict:
-        """What the stroke was worth, without what may be asked after it."""
+        """The verdict on the stroke, before any question about touching balls."""
         hits = done.hits()
         if done.off or done.acts:
             return self._foul(done.acts[0].what if done.acts else OFF_TABLE, turn, done, None)
@@ -104,7 +107,7 @@ class Carom:
         return self._both(done, max(hits.values()), turn)
 
     def settles(self, verdict: Verdict) -> bool:
-        """The second ball settles all, and so does a first one that the opening may not hit."""
+        """The second ball settles it, as does a first one that the opening stroke may not hit."""
         return verdict.reason not in (NO_BALL, ONE_BALL)
 
     def _foul(self, reason: str, turn: Turn, done: Stroke, decided: float | None) -> Verdict:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from . import pool
 from .game import NUMBERS, Pocketed, without
-from .state import AS_IT_LIES, BREAK, HEAD, PLAY, Option, Question, State
+from .state import AS_IT_LIES, BREAK, HEAD, PLAY, GameState, Option, Question
 from .stroke import Stroke
 from .verdict import Turn, Verdict, facts
 
@@ -35,7 +35,7 @@ class EightBall(Pocketed):
         left, group = turn.state.left, turn.state.group(turn.player)
         if turn.state.phase == BREAK:
             return left
-        # while the table is open any ball but the 8; if all others have gone astray, the 8 is left
+        # while the table is open any ball but the 8, unless only the 8 is left
         own = tuple(b for b in left if (b in GROUPS[group] if group else b != EIGHT))
         return own or (EIGHT,)
 
@@ -58,7 +58,7 @@ class EightBall(Pocketed):
         return Verdict(pool.POTTED, made=True, passes=False, facts=seen, down=down, state=state)
 
     def _eight(self, done: Stroke, turn: Turn, foul: str) -> Verdict:
-        """The 8 is gone: called, last and without a foul it wins, else it loses (3.8)."""
+        """The 8 is gone: if called, last and without a foul it wins, otherwise it loses (3.8)."""
         won = not foul and self.targets(turn) == (EIGHT,) and pool.called(done, turn) == EIGHT
         return Verdict(
             pool.RACK_WON if won else foul or pool.RACK_LOST,
@@ -71,13 +71,13 @@ class EightBall(Pocketed):
             state=without(turn.state, done.gone),
         )
 
-    def _grouped(self, state: State, turn: Turn, ball: str) -> State:
+    def _grouped(self, state: GameState, turn: Turn, ball: str) -> GameState:
         """The first ball that drops as called settles the groups (3.4)."""
         own = group_of(ball)
         if state.groups or not own:
             return state
         other = STRIPES if own == SOLIDS else SOLIDS
-        # players at even and at odd distances from the shooter are on one side each
+        # of more than two players, every second one is on the same side
         sides = ((i - turn.player) % 2 for i in range(turn.players))
         return replace(state, groups=tuple(other if side else own for side in sides))
 
@@ -101,7 +101,7 @@ class EightBall(Pocketed):
             return Verdict(pool.MISSED, facts=seen, state=state)
         return Verdict(pool.POTTED, made=True, passes=False, facts=seen, down=down, state=state)
 
-    def _illegal(self, turn: Turn, state: State) -> Question:
+    def _illegal(self, turn: Turn, state: GameState) -> Question:
         again, racked = self.start(turn.players), len(self.objects)
         return Question((
             Option(pool.ACCEPT, True, state),
@@ -109,16 +109,16 @@ class EightBall(Pocketed):
             Option(RERACK_OFFENDER, False, again, racked),
         ))  # fmt: skip
 
-    def _fouled(self, state: State, *, lost: bool) -> Question:
-        """In hand behind the head string, or as the balls lie: where the cue ball lies at all."""
+    def _fouled(self, state: GameState, *, lost: bool) -> Question:
+        """In hand behind the head string, or as the balls lie if the cue ball is still there."""
         in_hand = replace(state, region=HEAD)
         accepted = in_hand if lost else state
         options = (Option(IN_HAND_HEAD, True, in_hand), Option(pool.ACCEPT, True, accepted))
         return Question(options, optional=True)
 
-    def _eight_on_break(self, done: Stroke, turn: Turn, foul: str, state: State) -> Verdict:
-        """No win and no loss: it is spotted or all is racked, as the breaker or, after a foul, the
-        opponent likes."""
+    def _eight_on_break(self, done: Stroke, turn: Turn, foul: str, state: GameState) -> Verdict:
+        """Neither a win nor a loss: the breaker or, after a foul, the opponent chooses between
+        spotting the 8 and racking again."""
         spotted = replace(state, left=(*state.left, EIGHT), region=HEAD if foul else AS_IT_LIES)
         first = SPOT_IN_HAND if foul else SPOT_AND_ACCEPT
         options = (

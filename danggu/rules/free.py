@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .state import FRESH, State
+from .state import FRESH, GameState
 from .stroke import Event, Stroke, stroke
 from .verdict import Turn, Verdict, facts
 
@@ -27,7 +27,7 @@ class Free:
     def key(self) -> str:
         return FREE
 
-    def start(self, players: int) -> State:
+    def start(self, players: int) -> GameState:
         return FRESH
 
     def targets(self, turn: Turn) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""What the games with pockets share, so that each file says only what is its own."""
+"""What the games with pockets share."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import ClassVar, TypeVar
 
-from .state import BREAK, HEAD, State
+from .state import BREAK, HEAD, GameState
 from .stroke import Event, Stroke, stroke
 from .verdict import Turn, Verdict
 
@@ -25,10 +25,10 @@ class Pocketed:
     def balls(self) -> tuple[str, ...]:
         return (*self.cues, *self.objects)
 
-    def start(self, players: int) -> State:
+    def start(self, players: int) -> GameState:
         """The break: all balls racked, the cue ball in hand behind the head string."""
         none = (0,) * players
-        return State(BREAK, self.objects, fouls=none, warned=(False,) * players, region=HEAD)
+        return GameState(BREAK, self.objects, fouls=none, warned=(False,) * players, region=HEAD)
 
     def needs(self, turn: Turn) -> int:
         return 0
@@ -44,11 +44,11 @@ class Pocketed:
 
 
 def put(values: tuple[T, ...], index: int, value: T) -> tuple[T, ...]:
-    """The tuple with another value at the index."""
+    """The tuple with the value at `index` replaced."""
     return (*values[:index], value, *values[index + 1 :])
 
 
-def without(state: State, gone: Iterable[str]) -> State:
+def without(state: GameState, gone: Iterable[str]) -> GameState:
     """The state with these balls no longer on the table."""
     away = set(gone)
     return replace(state, left=tuple(ball for ball in state.left if ball not in away))

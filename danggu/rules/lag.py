@@ -9,10 +9,10 @@ from .stroke import Stroke
 
 @dataclass(frozen=True, slots=True)
 class Lag:
-    """One player's part of it.
+    """One player's lag.
 
-    gap    from the near cushion where the ball came to rest, m
-    good   whether it may win
+    gap: from the near cushion to where the ball came to rest, m.
+    good: whether it may win.
     """
 
     gap: float
@@ -22,9 +22,11 @@ class Lag:
 def lagged(done: Stroke, gap: float, *, far: str, near: str, pool: bool = True) -> Lag:
     """A player's lag read from the stroke.
 
-    far, near  names of the cushion that is to be met, and of the one to come close to
-    pool       as the WPA has it: the far cushion once, no side cushion, no pocket; else as the
-               UMB: the far cushion, and no other ball
+    gap: from the near cushion to where the ball came to rest, m.
+    far: name of the cushion that must be met.
+    near: name of the cushion to stop close to.
+    pool: True for the WPA's rule (the far cushion once, no side cushion, no pocket), False for the
+    UMB's (the far cushion, and no other ball).
     """
     walls = [rail.wall for rail in done.rails if rail.ball == done.cue]
     sides = [wall for wall in walls if wall not in (far, near)]
@@ -33,7 +35,7 @@ def lagged(done: Stroke, gap: float, *, far: str, near: str, pool: bool = True) 
 
 
 def winner(first: Lag, second: Lag) -> int | None:
-    """0 or 1: who chooses; None if the lag is played again."""
+    """The player who wins the lag, 0 or 1; None if it is played again."""
     if first.good != second.good:
         return 0 if first.good else 1
     if not first.good or first.gap == second.gap:

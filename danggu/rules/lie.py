@@ -23,20 +23,24 @@ def touching(
 
 
 def snookered(cue: Point, on: Iterable[Point], others: Collection[Point], diameter: float) -> bool:
-    """Whether no ball on can be hit straight at both of its finest edges: `others` are the balls
-    that are not on.  Places in m, balls of one size (WPBSA 2.17)."""
+    """Whether no ball on can be hit in a straight line at both of its edges (WPBSA 2.17).
+
+    cue: where the cue ball is, (x, y) in m.
+    on, others: where the balls on are, and those that are not on.
+    diameter: of every ball, m.
+    """
     return all(any(_hides(cue, ball, other, diameter) for other in others) for ball in on)
 
 
 def _hides(cue: Point, ball: Point, other: Point, diameter: float) -> bool:
-    """Whether the other ball is met first on some straight way that would meet the ball."""
+    """Whether on some straight line that would reach the ball the other one is in the way."""
     a, b = _from(cue, ball), _from(cue, other)
     if abs(a) <= diameter:
         return False
     wide = asin(diameter / abs(a))
-    b /= a / abs(a)  # seen along the straight way to the ball
+    b /= a / abs(a)  # seen along the straight line to the ball
     across, aside = asin(min(diameter / abs(b), 1.0)), phase(b)
-    # which is met first changes only at their edges, and where they would be met at one place
+    # which is met first changes only at their edges, and where both would be met at once
     bends = {-wide, wide, aside - across, aside + across, *_both(abs(a), b, diameter)}
     ways = sorted(way for way in bends if -wide <= way <= wide)
     return any(

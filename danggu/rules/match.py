@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from .state import FRESH, NO_CALL, Call, Question, State
+from .state import FRESH, NO_CALL, Call, GameState, Question
 from .stroke import Event, Stroke
 from .verdict import Rules, Turn, Verdict
 
@@ -64,17 +64,20 @@ class Sheet:
 class Match:
     """The state of play: the scores, and which player is at the table.
 
-    at      index of the player at the table
-    visit   strokes made in the present inning
-    run     points made in the present inning
-    winner  index of the player who has won, or None
-    over    nobody has won, and yet it is over: a draw, or a player alone has lost
-    state   how the game stands besides the scores
-    call    what the player at the table has declared for the coming stroke
-    asked   the question that the player at the table is to answer, or None
-    equal   whether all have equally many innings (후구): who comes after a player that has reached
-            the target plays a last one, from the opening position, and may draw
-    there   indices of the players that have reached it, while the others play their last inning
+    rules: of the game.
+    players: in the order of play.
+    sheets: one for each player.
+    at: index of the player at the table.
+    visit: strokes made in the present inning.
+    run: points made in the present inning.
+    winner: index of the player who has won, or None.
+    over: whether it has ended without a winner: a draw, or the loss of a lone player.
+    state: of the game, besides the scores.
+    call: what the player at the table has declared for the coming stroke.
+    asked: the question that the player at the table must answer, or None.
+    equal: whether all players get the same number of innings (후구): once one has reached the
+    target, those later in the order play a last inning from the opening position, and may draw.
+    reached: indices of the players who have reached the target, while the last innings are played.
     """
 
     rules: Rules
@@ -85,11 +88,11 @@ class Match:
     run: int = 0
     winner: int | None = None
     over: bool = False
-    state: State = FRESH
+    state: GameState = FRESH
     call: Call = NO_CALL
     asked: Question | None = None
     equal: bool = False
-    there: tuple[int, ...] = ()
+    reached: tuple[int, ...] = ()
 
     @classmethod
     def of(cls, rules: Rules, *players: Player, equal_innings: bool = False) -> Match:
@@ -121,7 +124,7 @@ class Match:
     def opening(self) -> bool:
         """Whether the coming stroke is played from the opening position."""
         return not any(sheet.strokes for sheet in self.sheets) or bool(
-            self.there and not self.visit
+            self.reached and not self.visit
         )
 
     @property
@@ -160,7 +163,7 @@ class Match:
     # -- before the stroke ---------------------------------------------------------------------
 
     def called(self, call: Call) -> Match:
-        """The match with that declared; ValueError if a ball is named that is not on the table."""
+        """The match with this call; ValueError if it names a ball that is not on the table."""
         lies = (*self.rules.cues, *(self.state.left or self.rules.balls))
         for name in (call.ball, call.cue):
             if name and name not in lies:
@@ -168,9 +171,9 @@ class Match:
         return replace(self, call=call)
 
     def answered(self, key: str) -> Match:
-        """The match after the answer to its question; ValueError without one, or for no answer."""
+        """The match after this answer; ValueError without a question or such an option."""
         if self.asked is None:
-            raise ValueError("nothing is asked")
+            raise ValueError("there is no question to answer")
         option, question = self.asked.option(key), self.asked
         stays = replace(self, state=option.state, asked=None)
         if option.plays:
@@ -184,15 +187,15 @@ class Match:
         return self.rules.verdict(log, self.turn)
 
     def ruled(self, done: Stroke) -> Verdict:
-        """The verdict on the coming stroke, read already: with what a referee saw, and the rest."""
+        """The verdict on the coming stroke, with what a referee saw and how the balls lie."""
         return self.rules.judge(done, self.turn)
 
     def after(self, verdict: Verdict) -> Match:
-        """The match with this stroke played; ValueError if it was over, or an answer is due."""
+        """The match with this stroke played; ValueError if it is over or awaits an answer."""
         if self.finished:
             raise ValueError("the match is over")
         if self.asked is not None and not self.asked.optional:
-            raise ValueError("a question is to be answered first")
+            raise ValueError("a question must be answered first")
         run = self.run + max(verdict.points, 0)
         played = replace(
             self,
@@ -206,11 +209,11 @@ class Match:
         return played._ended(verdict) if self._ends(verdict) else played._goes_on(verdict)
 
     def passed(self) -> Match:
-        """The next player's turn; an inning without a stroke does not count."""
+        """The match with the next player at the table; an inning without strokes does not count."""
         return self.given(self.next)
 
     def given(self, player: int) -> Match:
-        """That player's turn."""
+        """The match with that player at the table."""
         return replace(self, at=player, visit=0, run=0, call=NO_CALL)
 
     # -- parts ---------------------------------------------------------------------------------
@@ -228,17 +231,17 @@ class Match:
 
     @property
     def _last(self) -> bool:
-        """Whether this is the last of the innings that are played to make them equal."""
-        # the player at 0 has played the first stroke of the match
-        return bool(self.there) and self.next == 0
+        """Whether this is the last of the innings that make them equal."""
+        # the player at index 0 opened the match
+        return bool(self.reached) and self.next == 0
 
     def _ended(self, verdict: Verdict) -> Match:
-        there = (*self.there, self.at) if verdict.won else self.there
+        reached = (*self.reached, self.at) if verdict.won else self.reached
         if verdict.won and self.equal and self.next != 0:
-            return replace(self.passed(), there=there)
+            return replace(self.passed(), reached=reached)
         if verdict.lost and len(self.players) > 1:
             return replace(self, winner=self.next)
-        return replace(self, winner=there[0]) if len(there) == 1 else replace(self, over=True)
+        return replace(self, winner=reached[0]) if len(reached) == 1 else replace(self, over=True)
 
     def _goes_on(self, verdict: Verdict) -> Match:
         asked = verdict.question

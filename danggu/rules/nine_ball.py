@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from . import pool
 from .game import NUMBERS, Pocketed, without
-from .state import AS_IT_LIES, BREAK, PLAY, SECOND, State
+from .state import AS_IT_LIES, BREAK, PLAY, SECOND, GameState
 from .stroke import Stroke
 from .verdict import Turn, Verdict, facts
 
@@ -17,7 +17,8 @@ EDITIONS = (2016, 2025)
 class Rotation(Pocketed):
     """What 9-ball and 10-ball share: the lowest ball is hit first, a third foul loses the rack.
 
-    warns  whether a player who has fouled twice in a row is warned at once
+    warns: whether a player with two fouls in a row is warned at once.
+    money: the ball that wins.
     """
 
     warns: bool
@@ -27,7 +28,7 @@ class Rotation(Pocketed):
         return (min(turn.state.left, key=int),) if turn.state.left else ()
 
     def foul(self, done: Stroke, turn: Turn) -> str:
-        """Which foul the stroke was, or ""."""
+        """Which foul the stroke was, "" for none."""
         if self.pushes(turn):
             return pool.fault(done, rail=False)
         foul = pool.fault(done, self.targets(turn))
@@ -36,11 +37,11 @@ class Rotation(Pocketed):
         return "" if pool.driven(done) >= pool.TO_BREAK else pool.FEW_RAILS
 
     def pushes(self, turn: Turn) -> bool:
-        """Whether the stroke is a push out: only the one after the break may be."""
+        """Whether the stroke is a push out, which only the one after the break may be."""
         return turn.call.push and turn.state.phase == SECOND
 
-    def next_state(self, done: Stroke, turn: Turn, spot: tuple[str, ...], foul: str) -> State:
-        """How the game stands after the stroke."""
+    def next_state(self, done: Stroke, turn: Turn, spot: tuple[str, ...], foul: str) -> GameState:
+        """The state of the game after the stroke."""
         state = pool.counted(turn.state, turn, foul=bool(foul), warns=self.warns)
         state = without(state, done.gone - {*spot})
         second = turn.state.phase == BREAK and not foul
@@ -59,7 +60,7 @@ class Rotation(Pocketed):
         )
 
     def pushed(self, done: Stroke, turn: Turn) -> Verdict:
-        """The verdict on a push out: what dropped stays down but for the 9 or 10."""
+        """The verdict on a push out: all balls that dropped stay down except the 9 or 10."""
         spot = (self.money,) if self.money in done.down else ()
         state = self.next_state(done, turn, spot, "")
         down = tuple(ball for ball in pool.objects(done) if ball not in spot)
@@ -73,8 +74,8 @@ class Rotation(Pocketed):
 class NineBall(Rotation):
     """One rack.
 
-    edition  2025: the 9 is racked on the foot spot, where the 1 was before
-    warns    whether a player who has fouled twice in a row is warned at once
+    edition: 2016 or 2025, which racks the 9 on the foot spot instead of the 1.
+    warns: whether a player with two fouls in a row is warned at once.
     """
 
     edition: int = 2025

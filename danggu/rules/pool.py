@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import replace
 
 from .game import put
-from .state import ANYWHERE, SECOND, Option, Question, State
+from .state import ANYWHERE, SECOND, GameState, Option, Question
 from .stroke import TIE, Stroke
 from .verdict import NO_BALL, OFF_TABLE, Turn
 
@@ -20,10 +20,10 @@ Legal = Collection[str]
 
 
 def fault(done: Stroke, legal: Legal | None = None, *, rail: bool = True) -> str:
-    """Which foul it was, or "".
+    """Which foul it was, "" for none.
 
-    legal  the balls that may be hit first, None for any and for none
-    rail   whether a ball must meet a rail, or drop, after the first contact
+    legal: the balls that may be hit first; None for any or, without `rail`, for no hit at all.
+    rail: whether a ball must meet a rail or drop after the first contact.
     """
     if done.lost:
         return SCRATCH
@@ -33,7 +33,7 @@ def fault(done: Stroke, legal: Legal | None = None, *, rail: bool = True) -> str
         return done.acts[0].what
     if (legal is not None or rail) and not done.first:
         return NO_BALL
-    # a split hit is good: nobody can say which ball was first
+    # a split hit is good: it cannot be seen which ball was first
     if legal is not None and not any(ball in legal for ball in done.first):
         return WRONG_BALL
     return NO_RAIL if rail and not railed(done) else ""
@@ -45,7 +45,7 @@ def railed(done: Stroke) -> bool:
 
 
 def driven(done: Stroke) -> int:
-    """How many object balls met a rail, dropped or left the table (WPA 8.4)."""
+    """How many object balls met a rail, dropped, or left the table (WPA 8.4)."""
     return len(({rail.ball for rail in done.rails} | done.gone) - {done.cue})
 
 
@@ -55,9 +55,9 @@ def objects(done: Stroke) -> tuple[str, ...]:
 
 
 def called(done: Stroke, turn: Turn) -> str:
-    """The ball that dropped as it was called, or "".
+    """The ball that dropped as called, or "".
 
-    Where nothing is called the obvious shot is meant (WPA 1.6): the ball that is hit first.
+    Without a call the obvious shot is meant (WPA 1.6): the ball that is hit first.
     """
     call = turn.call
     if call.safety or call.push:
@@ -69,11 +69,10 @@ def called(done: Stroke, turn: Turn) -> str:
     return ""
 
 
-def counted(state: State, turn: Turn, *, foul: bool, warns: bool) -> State:
-    """The state with one consecutive foul more, or none after a stroke without one.
+def counted(state: GameState, turn: Turn, *, foul: bool, warns: bool) -> GameState:
+    """The state with one more consecutive foul, or with none after a fair stroke.
 
-    A third foul does not count before the player has been warned of it (WPA 6.14); with `warns`
-    the second one brings the warning.
+    A third foul counts only after a warning (WPA 6.14), which with `warns` the second one brings.
     """
     before = state.fouls[turn.player] if state.fouls else 0
     heeded = bool(state.warned) and state.warned[turn.player]
@@ -87,12 +86,12 @@ def counted(state: State, turn: Turn, *, foul: bool, warns: bool) -> State:
     )
 
 
-def handed(state: State) -> State:
+def handed(state: GameState) -> GameState:
     """The state with the cue ball in hand anywhere."""
     return replace(state, region=ANYWHERE)
 
 
-def shoot_or_return(state: State) -> Question:
-    """The opponent shoots from here, or lets the other shoot again."""
+def shoot_or_return(state: GameState) -> Question:
+    """Whether the opponent shoots from here or has the other player shoot again."""
     plain = replace(state, phase="" if state.phase == SECOND else state.phase)
     return Question((Option("shoot", True, plain), Option(AGAIN, False, plain)))

@@ -1,4 +1,4 @@
-"""Russian pyramid: eight balls win, and the ball that is played may drop off another."""
+"""Russian pyramid: eight balls win, and the cue ball may be pocketed off another ball."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from . import pool
 from .game import CUE, NUMBERS, Pocketed, without
-from .state import ANYWHERE, AS_IT_LIES, FRESH, HOUSE, PLAY, Option, Question, State
+from .state import ANYWHERE, AS_IT_LIES, FRESH, HOUSE, PLAY, GameState, Option, Question
 from .stroke import Stroke
 from .verdict import NO_BALL, OFF_TABLE, Turn, Verdict, facts
 
@@ -22,11 +22,11 @@ GOAL = 8
 class Pyramid(Pocketed):
     """One game to eight balls, or to the players' targets.
 
-    kind     "free": any ball may be played, `Call.cue` says which; "dynamic", "combined": only the
-             cue ball, and where it drops as it may, a ball is taken in its place and it is in hand
-             anywhere or in the house
-    penalty  what a foul costs: "minus", a point (and a ball goes back); "gift", a point for the
-             opponent; "take", the opponent takes a ball from the table
+    kind: "free", any ball may be played, and `Call.cue` says which; "dynamic" and "combined", only
+    the cue ball; if it is fairly pocketed, the player removes another ball instead and places the
+    cue ball anywhere ("dynamic") or in the house ("combined").
+    penalty: for a foul: "minus", a point is lost and a ball goes back; "gift", the opponent gets a
+    point; "take", the opponent gets a point by removing a ball from the table.
     """
 
     kind: str = FREE
@@ -44,7 +44,7 @@ class Pyramid(Pocketed):
     def key(self) -> str:
         return f"{self.kind}_pyramid"
 
-    def start(self, players: int) -> State:
+    def start(self, players: int) -> GameState:
         left = (*self.objects, CUE) if self.kind == FREE else self.objects
         return replace(Pocketed.start(self, players), left=left, region=HOUSE)
 
@@ -56,7 +56,7 @@ class Pyramid(Pocketed):
         return self._fouled(done, turn, foul) if foul else self._fair(done, turn)
 
     def _foul(self, done: Stroke) -> str:
-        """No ball hit, a ball off the table, or nothing driven to a cushion or into a pocket."""
+        """No ball hit, a ball off the table, or none driven to a cushion or into a pocket."""
         if done.off:
             return OFF_TABLE
         if done.acts:
@@ -98,7 +98,7 @@ class Pyramid(Pocketed):
         return self._counted(verdict, turn)
 
     def _counted(self, verdict: Verdict, turn: Turn) -> Verdict:
-        """The verdict with the end of the game, if it is one: eight balls, or none that is left."""
+        """The verdict, ending the game at eight balls or when no ball is left."""
         goal = turn.target or GOAL
         own, other = turn.score + verdict.points, turn.against + verdict.gift
         left = verdict.state.left if verdict.state is not None else ()
@@ -112,7 +112,7 @@ class Pyramid(Pocketed):
 
 
 def _taken(verdict: Verdict, *, shooter: bool) -> Verdict:
-    """The verdict with the question which ball is taken away; the last one is, without asking."""
+    """The verdict, asking which ball to remove; the last one is removed without asking."""
     state = FRESH if verdict.state is None else verdict.state
     balls = [ball for ball in state.left if ball != CUE]
     if len(balls) <= 1:

@@ -9,11 +9,12 @@ ALTERNATE, WINNER, LOSER = "alternate", "winner", "loser"
 
 @dataclass(frozen=True, slots=True)
 class Race:
-    """A race to `to` racks, or the best of 2 `to` − 1 frames.
+    """A race to a number of racks, or a best of frames.
 
-    won      racks of each player
-    breaker  index of the player who breaks the rack that is being played
-    breaks   who breaks the next one: "alternate", the "winner" or the "loser" of the last
+    to: racks needed to win; in a best of n frames, (n + 1) / 2.
+    won: racks won by each player.
+    breaker: index of the player who breaks the current rack.
+    breaks: which player breaks the next one: "alternate", the "winner" or the "loser" of the last.
     """
 
     to: int
@@ -30,11 +31,11 @@ class Race:
 
     @property
     def winner(self) -> int | None:
-        """The player who has won the race, or None."""
+        """Index of the player who has won the race, or None."""
         return self.won.index(self.to) if self.to in self.won else None
 
     def after(self, winner: int) -> Race:
-        """The race with a rack that this player has won; ValueError if it was over."""
+        """The race with one more rack won by this player; ValueError if it is over."""
         if self.winner is not None:
             raise ValueError("the race is over")
         won = tuple(count + (i == winner) for i, count in enumerate(self.won))

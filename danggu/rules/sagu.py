@@ -1,6 +1,6 @@
 """Four-ball (사구): both reds with the own ball, and never the opponent's.
 
-No federation writes these rules; what differs from house to house is an option.
+No federation governs these rules; what differs from house to house is an option.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .state import FRESH, State
+from .state import FRESH, GameState
 from .stroke import Event, Stroke, stroke
 from .verdict import FEW_CUSHIONS, OFF_TABLE, SAME_INSTANT, Facts, Turn, Verdict, facts
 
@@ -51,7 +51,7 @@ class Sagu:
     def balls(self) -> tuple[str, ...]:
         return self.cues + self.reds
 
-    def start(self, players: int) -> State:
+    def start(self, players: int) -> GameState:
         return FRESH
 
     def targets(self, turn: Turn) -> tuple[str, ...]:

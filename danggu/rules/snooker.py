@@ -1,4 +1,4 @@
-"""Snooker: reds and colours in turn, and a foul is points for the other (WPBSA, section 3)."""
+"""Snooker: reds and colours in turn; a foul gives the opponent points (WPBSA, section 3)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar, NamedTuple
 
 from .game import CUE, Pocketed, without
-from .state import AS_IT_LIES, PLAY, Option, Question, State
+from .state import AS_IT_LIES, PLAY, GameState, Option, Question
 from .state import D as IN_D
 from .stroke import Act, Stroke
 from .verdict import NO_BALL, Turn, Verdict, facts
@@ -22,7 +22,7 @@ POTTED, FOUL, MISS, FRAME_WON, FRAME_LOST, TIED = (
 )  # fmt: skip
 PLAY_ON, PUT_IN, REPLAY = "play_on", "put_in_again", "replay"
 
-# what a referee sees that costs the value of the ball on, whichever ball it concerns (3.11 a)
+# seen by a referee; these cost the value of the ball on, whichever ball is concerned (3.11 a)
 OF_THE_BALL_ON = {
     "moving", "double_hit", "feet", "out_of_turn", "played_from_outside_D", "outside_d", "jumps",
 }  # fmt: skip
@@ -40,7 +40,12 @@ def value(ball: str) -> int:
 
 
 class On(NamedTuple):
-    """The ball on: its value, the names of the balls that are it, and the free ball or ""."""
+    """The ball on.
+
+    value: points.
+    balls: names of the balls that are on.
+    free: name of the free ball, or "".
+    """
 
     value: int
     balls: tuple[str, ...]
@@ -54,8 +59,8 @@ class On(NamedTuple):
 class Snooker(Pocketed):
     """One frame.
 
-    miss  whether the opponent may have a stroke that missed the ball on played again from where all
-          balls lay (3.14), unless one of the players needs snookers
+    miss: whether, after a stroke that missed the ball on, the opponent may have it replayed from
+    where all balls lay (3.14), unless a player needs snookers.
     """
 
     miss: bool = True
@@ -68,11 +73,11 @@ class Snooker(Pocketed):
     def key(self) -> str:
         return "snooker"
 
-    def start(self, players: int) -> State:
+    def start(self, players: int) -> GameState:
         return replace(Pocketed.start(self, players), phase=PLAY, on=RED, region=IN_D)
 
     def on(self, done: Stroke | None, turn: Turn) -> On:
-        """What is on.  A colour that is not nominated is the one that is hit first."""
+        """The ball on. If no colour is nominated, the one that is hit first counts as nominated."""
         state, call = turn.state, turn.call
         free = call.ball if state.free else ""
         if state.on == COLOUR:
@@ -105,7 +110,7 @@ class Snooker(Pocketed):
             points = len(down)
         else:
             points = on.value if down else 0
-        # the colours in their order stay down when they are on; any other goes back
+        # a colour stays down only when it was on in its order; any other is spotted
         stays = () if turn.state.on == COLOUR else on.balls
         spot = tuple(ball for ball in down if ball in COLOURS and ball not in stays)
         left = without(turn.state, set(down) - {*spot})
@@ -123,7 +128,7 @@ class Snooker(Pocketed):
         )
         return self._decided(verdict, turn) if not state.left else verdict
 
-    def _next(self, before: State, after: State, points: int) -> str:
+    def _next(self, before: GameState, after: GameState, points: int) -> str:
         if points and before.on == RED:
             return COLOUR
         return lowest(after)
@@ -131,7 +136,7 @@ class Snooker(Pocketed):
     # -- fouls (3.11) --------------------------------------------------------------------------
 
     def _penalty(self, done: Stroke, turn: Turn, on: On) -> int:
-        """The points that the other player gets, 0 for a fair stroke."""
+        """Points for the opponent, 0 after a fair stroke."""
         values = [*self._contacts(done, turn, on), *(self._act(act) for act in done.acts)]
         values += [0 if b == CUE else value(b) for b in done.down if not on.holds(b)]
         values += [value(ball) for ball in done.off]
@@ -143,10 +148,10 @@ class Snooker(Pocketed):
         return MOST if unnamed else max(LEAST, on.value, *values)
 
     def _contacts(self, done: Stroke, turn: Turn, on: On) -> list[int]:
-        """What the balls cost that were hit first; nothing where that was fair."""
+        """Values of the balls that should not have been hit first, none if the hit was fair."""
         touched = [ball for pair in turn.state.touching if CUE in pair for ball in pair]
         if any(on.holds(ball) for ball in touched):
-            # the ball on has been hit already, and moving it is a push (3.8)
+            # a touching ball that is on counts as hit, and moving it is a push (3.8)
             moved = bool(done.touches) and done.touches[0].what in touched
             return [value(done.touches[0].what)] if moved else []
         first = done.first
@@ -191,22 +196,22 @@ class Snooker(Pocketed):
             return replace(verdict, question=self._asked(turn, state, miss=True))
         return replace(verdict, question=self._asked(turn, state, miss=False))
 
-    def _asked(self, turn: Turn, state: State, *, miss: bool) -> Question:
-        """Play, have the offender play from here or, after a miss, from where all balls lay."""
+    def _asked(self, turn: Turn, state: GameState, *, miss: bool) -> Question:
+        """Play on, have the offender play from here or, after a miss, replay from where all lay."""
         put_in = Option(PUT_IN, False, replace(state, free=False))
         replay = Option(REPLAY, False, turn.state, restore=True)
         plain = (Option(PLAY_ON, True, state), put_in)
         return Question((*plain, replay) if miss else plain, optional=True)
 
-    def _needs_snookers(self, turn: Turn, after: State, penalty: int) -> bool:
-        """Whether a player, before the stroke or after it, cannot win by pots alone."""
+    def _needs_snookers(self, turn: Turn, after: GameState, penalty: int) -> bool:
+        """Whether a player could not win by pots alone, before the stroke or after it."""
         lead = turn.score - turn.against
         return abs(lead) > remaining(turn.state) or abs(lead - penalty) > remaining(after)
 
     # -- the end (3.4) -------------------------------------------------------------------------
 
     def _decided(self, verdict: Verdict, turn: Turn) -> Verdict:
-        """The black was the last ball: a pot or a foul ends the frame, or the black comes again."""
+        """Only the black was left: a pot or a foul ends the frame, or a tie respots the black."""
         lead = turn.score + verdict.points - turn.against - verdict.gift
         if lead:
             reason = FRAME_WON if lead > 0 else FRAME_LOST
@@ -219,15 +224,15 @@ class Snooker(Pocketed):
         )  # fmt: skip
 
 
-def lowest(state: State) -> str:
-    """What is on when an inning begins: a red, or the lowest colour left."""
+def lowest(state: GameState) -> str:
+    """What is on as an inning begins: a red, or the lowest colour left."""
     if any(kind(ball) == RED for ball in state.left):
         return RED
     return next((ball for ball in COLOURS if ball in state.left), "black")
 
 
-def remaining(state: State) -> int:
-    """The points that are still on the table: with each red a black."""
+def remaining(state: GameState) -> int:
+    """Points still on the table, with a black for each red."""
     colours = sum(value(ball) for ball in state.left if ball in COLOURS)
     reds = sum(kind(ball) == RED for ball in state.left)
     return colours + reds * (1 + MOST) + (MOST if state.on == COLOUR else 0)

@@ -13,7 +13,7 @@ FOOT, CENTRE, HEAD = "foot_spot", "centre_spot", "head_spot"
 
 
 def carom_spots(cue: str, other: str, red: str = "red") -> dict[str, str]:
-    """The spot of each ball in three-cushion; `cue` is that of the player at the table (3.7)."""
+    """The spot of each ball in three-cushion; `cue` is the ball of the coming stroke (3.7)."""
     return {red: FOOT, cue: HEAD, other: CENTRE}
 
 
@@ -22,8 +22,8 @@ def respotted(
 ) -> dict[str, str]:
     """Where each of the balls goes: on its spot, or on that of the ball that covers it.
 
-    spots    the spot of each ball
-    covered  spots that are taken, and by which ball
+    spots: the spot of each ball.
+    covered: which ball is on each spot that is taken.
     """
     found: dict[str, str] = {}
     taken = dict(covered)
@@ -37,10 +37,10 @@ def respotted(
 
 
 def colour_spots(balls: Iterable[str], taken: Collection[str]) -> dict[str, str]:
-    """On whose spot each colour of snooker goes, the highest first (3.7): its own, else the highest
-    that is free; "" if none is, and it goes as near as can be to its own.
+    """The colour on whose spot each colour goes, the highest first (3.7): its own, else the highest
+    free one; "" if none is free and it goes as near as possible to its own.
 
-    taken  the colours whose spots are occupied
+    taken: the colours whose spots are occupied.
     """
     found: dict[str, str] = {}
     occupied = set(taken)
@@ -52,8 +52,8 @@ def colour_spots(balls: Iterable[str], taken: Collection[str]) -> dict[str, str]
 
 
 def along(start: Point, end: Point, others: Sequence[Point], diameter: float) -> Point | None:
-    """The place on the line from `start` to `end`, nearest to its start, where a ball fits between
-    the others: all in m.  None if there is none."""
+    """The place nearest to `start` on the line to `end` where a ball fits between the others, or
+    None; all in m."""
     (x, y), (dx, dy) = start, (end[0] - start[0], end[1] - start[1])
     length = sqrt(dx * dx + dy * dy)
     ux, uy = (dx / length, dy / length) if length else (0.0, 0.0)

@@ -1,4 +1,4 @@
-"""What stays between two strokes besides the score, what a player declares, what may be chosen."""
+"""The state of a game besides the score, what a player declares, and what may be chosen."""
 
 from __future__ import annotations
 
@@ -9,20 +9,21 @@ ANYWHERE, HEAD, D, HOUSE, AS_IT_LIES = "anywhere", "head_string", "d", "house", 
 
 
 @dataclass(frozen=True, slots=True)
-class State:
-    """How a game stands, whichever it is: a game reads and writes the fields it needs.
+class GameState:
+    """The state of any game between strokes; each game uses the fields it needs.
 
-    phase     of the coming stroke: BREAK, SECOND (the stroke after it: a push out may be played)
-    left      object balls on the table
-    groups    the group of each player, () while the table is open
-    on        in snooker "red", "colour" (any of them) or the colour that is on
-    free      whether a free ball may be nominated
-    fouls     consecutive fouls of each player
-    warned    whether each player has been warned that the next foul is the third
-    region    where the cue ball may be placed: ANYWHERE, HEAD (behind the head string), D, HOUSE
-    touching  pairs of balls that touch as the stroke begins
-    zone      how the object balls lie in balkline: "", "come_in", "in_there" or "astride"
-    anchor    the same among the anchors
+    phase: of the coming stroke: BREAK, SECOND (the one after it, which may be a push out) or PLAY.
+    left: names of the object balls on the table.
+    groups: the group of each player, () while the table is open.
+    on: in snooker "red", "colour" (any of them) or the name of the colour that is on.
+    free: whether a free ball may be nominated.
+    fouls: consecutive fouls of each player.
+    warned: whether each player has been warned that the next foul is the third.
+    region: where the cue ball may be placed: ANYWHERE, HEAD (behind the head string), D, HOUSE, or
+    AS_IT_LIES if it is not in hand.
+    touching: pairs of balls that touch as the stroke begins.
+    zone: how the object balls lie in balkline: "", "come_in", "in_there" or "astride".
+    anchor: the same for the anchors.
     """
 
     phase: str = PLAY
@@ -46,9 +47,9 @@ class State:
 class Call:
     """What a player declares before a stroke.
 
-    ball, pocket  nominated, or "": where a free ball may be, `ball` is it
-    safety, push  a safety, a push out
-    cue           the ball that is played, where any ball may be; "" for the usual one
+    ball, pocket: names of those nominated, or ""; `ball` is also the free ball.
+    safety, push: whether the stroke is a safety, or a push out.
+    cue: name of the ball that is played, where any ball may be; "" for the usual one.
     """
 
     ball: str = ""
@@ -58,21 +59,24 @@ class Call:
     cue: str = ""
 
 
-FRESH, NO_CALL = State(), Call()
+FRESH, NO_CALL = GameState(), Call()
 
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """One answer: its key, whether the player asked `plays` (or the other), and what follows.
+    """One answer to a question, and what follows from it.
 
-    rack     how many balls are racked, 0 for none
-    spot     balls that are spotted
-    restore  whether all balls go back to where they lay before the stroke
+    key: in the texts.
+    plays: whether the player who answers plays next, not the other.
+    state: of the game afterwards.
+    rack: how many balls are racked, 0 for none.
+    spot: names of the balls that are spotted.
+    restore: whether all balls go back to where they lay before the stroke.
     """
 
     key: str
     plays: bool
-    state: State
+    state: GameState
     rack: int = 0
     spot: tuple[str, ...] = ()
     restore: bool = False
@@ -80,10 +84,12 @@ class Option:
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """What a player may choose: the opponent of the one who played, or the shooter.
+    """What a player may choose.
 
-    optional  the first option holds unless another one is claimed, so the next stroke may be
-              played without an answer
+    options: the possible answers.
+    shooter: whether the shooter answers, not the opponent.
+    optional: whether the next stroke may be played without an answer, as if the first option had
+    been chosen.
     """
 
     options: tuple[Option, ...]
@@ -91,7 +97,7 @@ class Question:
     optional: bool = False
 
     def option(self, key: str) -> Option:
-        """The option of that key; ValueError, naming those there are, for another."""
+        """The option with that key; ValueError, naming the keys, if there is none."""
         for option in self.options:
             if option.key == key:
                 return option

@@ -6,21 +6,21 @@ from dataclasses import dataclass, replace
 
 from . import pool
 from .game import CUE, Pocketed, without
-from .state import AS_IT_LIES, BREAK, HEAD, PLAY, Option, Question, State
+from .state import AS_IT_LIES, BREAK, HEAD, PLAY, GameState, Option, Question
 from .stroke import Stroke
 from .verdict import Turn, Verdict, facts
 
 BREAKING_FOUL, SERIOUS_FOUL, GAME_WON = "breaking_foul", "serious_foul", "game_won"
 BREAK_AGAIN = "break_again"
-TWO = 2  # object balls that the opening break must drive to rails, and points that it costs if not
-FIFTEEN = 15  # points that a third foul costs beside its own, and balls in a full rack
+TWO = 2  # object balls that the opening break must drive to rails, and points lost otherwise
+FIFTEEN = 15  # points that a third foul costs on top of its own, and balls in a full rack
 
 
 @dataclass(frozen=True, slots=True)
 class StraightPool(Pocketed):
     """A game to a number of points, which is each player's target; scores may be negative.
 
-    warns  whether a player who has fouled twice in a row is warned at once
+    warns: whether a player with two fouls in a row is warned at once.
     """
 
     warns: bool = True
@@ -51,7 +51,7 @@ class StraightPool(Pocketed):
         rails = {rail.ball for rail in done.rails}
         return (CUE in rails or done.lost) and pool.driven(done) >= TWO
 
-    def _counted(self, turn: Turn, *, foul: bool) -> State:
+    def _counted(self, turn: Turn, *, foul: bool) -> GameState:
         return pool.counted(turn.state, turn, foul=foul, warns=self.warns)
 
     def _potted(self, done: Stroke, turn: Turn, down: tuple[str, ...]) -> Verdict:
@@ -74,7 +74,7 @@ class StraightPool(Pocketed):
         )
 
     def _fouled(self, done: Stroke, turn: Turn, foul: str) -> Verdict:
-        """A point less, and fifteen more and another opening break for the third in a row."""
+        """One point is lost; a third foul in a row costs fifteen more and calls for a new break."""
         state = self._counted(turn, foul=True)
         seen, spot = facts(done), (*pool.objects(done), *(b for b in done.off if b != CUE))
         if state.fouls[turn.player] < 3:
@@ -95,7 +95,7 @@ class StraightPool(Pocketed):
         )
 
     def _breaking_foul(self, done: Stroke, turn: Turn) -> Verdict:
-        """Two points less; it is not one of three fouls in a row (4.10, 4.11)."""
+        """Two points are lost; it does not count as one of three fouls in a row (4.10, 4.11)."""
         region = HEAD if done.lost else AS_IT_LIES
         accepted = replace(turn.state, phase=PLAY, region=region)
         again = replace(self.start(turn.players), fouls=turn.state.fouls, warned=turn.state.warned)
@@ -124,8 +124,9 @@ FOOT, CENTRE, STAYS, IN_HAND = "foot_spot", "centre_spot", "as_is", "in_hand_hea
 def racked(last: str, cue: str) -> tuple[str, str]:
     """Where the last object ball and the cue ball go before fourteen balls are racked.
 
-    last, cue  where they lie: RACK (in the way of the rack), HEAD_SPOT (in the way of that spot),
-               KITCHEN (behind the head string), ELSEWHERE, and DOWN for the last ball
+    last, cue: where they lie: RACK (in the way of the rack), HEAD_SPOT (in the way of that spot),
+    KITCHEN (behind the head string) or ELSEWHERE; for the last ball also DOWN.
+    ValueError for any other place.
     """
     for name, place in (("last", last), ("cue", cue)):
         if place not in (RACK, HEAD_SPOT, KITCHEN, ELSEWHERE) and (name, place) != ("last", DOWN):

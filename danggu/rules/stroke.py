@@ -62,7 +62,11 @@ class Touch:
 
 
 class Rail(NamedTuple):
-    """The ball named `ball` met the wall named `wall` at `time` s, coming from afar."""
+    """A contact of any ball with a cushion that it had left before.
+
+    time: s.
+    ball, wall: names.
+    """
 
     time: float
     ball: str
@@ -70,7 +74,11 @@ class Rail(NamedTuple):
 
 
 class Drop(NamedTuple):
-    """The ball named `ball` dropped into the pocket named `pocket` at `time` s."""
+    """A ball dropped into a pocket.
+
+    time: s.
+    ball, pocket: names.
+    """
 
     time: float
     ball: str
@@ -78,7 +86,12 @@ class Drop(NamedTuple):
 
 
 class Act(NamedTuple):
-    """What a referee sees and no log holds: `ball` was "touched", the cue ball "jumps" `about`."""
+    """What a referee sees and no log holds.
+
+    ball: name of the ball that it happened to.
+    what: a key of the texts: "touched", or "jumps" of a cue ball.
+    about: name of the other ball concerned, or "".
+    """
 
     ball: str
     what: str
@@ -88,8 +101,8 @@ class Act(NamedTuple):
 class Zone(NamedTuple):
     """How two object balls lie to the lines of balkline after a stroke.
 
-    ends  "in": both in one zone; "astride": in two zones; "out": one of them in none
-    left  whether one of them was outside of that zone at any time of the stroke
+    ends: "in", both in one zone; "astride", in two zones; "out", one of them in none.
+    left: whether one of them was outside that zone at any time during the stroke.
     """
 
     ends: str = "out"
@@ -101,12 +114,12 @@ APART = Zone()
 
 @dataclass(frozen=True, slots=True)
 class Rest:
-    """How the balls lie after the stroke, where rules ask: a matter of geometry.
+    """How the balls lie after the stroke, as far as rules ask.
 
-    touching   pairs of balls that touch
-    snookered  the cue ball cannot be played straight at every ball on
-    hidden     the ball that the cue ball is snookered by, or ""
-    zone       of the object balls among the lines of balkline, and `anchor` among its anchors
+    touching: pairs of balls that touch.
+    snookered: whether the cue ball cannot reach both edges of any ball on in a straight line.
+    hidden: name of the ball that snookers the cue ball, or "".
+    zone, anchor: of the object balls, among the lines of balkline and among its anchors.
     """
 
     touching: tuple[tuple[str, str], ...] = ()
@@ -123,13 +136,14 @@ UNSEEN = Rest()
 class Stroke:
     """What happened, in order of time.
 
-    touches   of the cue ball
-    off       balls that left the table
-    rails     contacts with cushions of all balls, those that count
-    pocketed  balls that dropped
-    pressed   the wall that the cue ball lay against and was driven into before anything else, or ""
-    acts      what a referee saw
-    rest      how the balls lie afterwards
+    touches: of the cue ball.
+    off: names of all balls that left the table.
+    cue: name of the cue ball.
+    rails: contacts of all balls with cushions, as far as they count.
+    pocketed: balls that dropped.
+    pressed: the wall that the cue ball lay against and was driven into before anything else, or "".
+    acts: what a referee saw.
+    rest: how the balls lie afterwards.
     """
 
     touches: tuple[Touch, ...]
@@ -177,19 +191,19 @@ class Stroke:
         return frozenset(self.down) | frozenset(self.off)
 
     def cushions(self, before: float = inf) -> int:
-        """How many cushion contacts came before `before`, not at that instant."""
+        """How many cushion contacts came before that time, s, not at the same instant."""
         return sum(touch.cushion and touch.time < before - TIE for touch in self.touches)
 
     def cushion_at(self, time: float) -> bool:
-        """Whether a cushion was met at the very instant `time`."""
+        """Whether a cushion was met at the same instant as that time, s."""
         return any(touch.cushion and abs(touch.time - time) <= TIE for touch in self.touches)
 
     def until(self, time: float) -> Stroke:
-        """As much of the cue ball's touches as had happened by then, s."""
+        """The stroke with the cue ball's touches up to that time, s."""
         return replace(self, touches=tuple(t for t in self.touches if t.time <= time))
 
     def path(self, until: float = inf) -> tuple[str, ...]:
-        """The names of all that was met up to and at the instant `until`."""
+        """Names of the balls and walls that were met up to that time, s, or at the same instant."""
         return tuple(touch.what for touch in self.touches if touch.time <= until + TIE)
 
 

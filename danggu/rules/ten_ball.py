@@ -17,9 +17,9 @@ from .verdict import Turn, Verdict, facts
 class TenBall(Rotation):
     """One rack.
 
-    early  whether the 10 wins when it is called and drops before it is the last ball; the WPA has
-           it spotted, and the player goes on
-    warns  whether a player who has fouled twice in a row is warned at once
+    early: whether the 10 wins when it is called and drops before it is the last ball; under the
+    WPA's rules it is spotted and the player goes on.
+    warns: whether a player with two fouls in a row is warned at once.
     """
 
     early: bool = False

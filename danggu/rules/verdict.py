@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Protocol
 
-from .state import FRESH, NO_CALL, Call, Question, State
+from .state import FRESH, NO_CALL, Call, GameState, Question
 from .stroke import Event, Stroke
 
 # Reasons that every game shares; each is a key of the texts, as all reasons are.
@@ -15,22 +15,29 @@ OFF_TABLE = "off_table"
 ONE_BALL = "one_ball"
 NO_BALL = "no_ball"
 FEW_CUSHIONS = "few_cushions"
-SAME_INSTANT = "same_instant"  # the last cushion needed, and the last ball
+SAME_INSTANT = "same_instant"  # the last cushion needed and the last ball were met together
 
 
 @dataclass(frozen=True, slots=True)
 class Turn:
     """The circumstances of a stroke.
 
-    `target` is the player's handicap (수지), or None to play without end; `player` the index of the
-    player at the table among `players`, `against` the score of the next one.
+    cue: name of the cue ball.
+    opening: whether it is played from the opening position.
+    score: of the player, before the stroke.
+    target: the player's handicap (수지), or None to play without end.
+    state: of the game, besides the scores.
+    call: what the player has declared.
+    player: index of the player at the table.
+    players: how many there are.
+    against: score of the next player.
     """
 
     cue: str = "white"
     opening: bool = False
     score: int = 0
     target: int | None = None
-    state: State = FRESH
+    state: GameState = FRESH
     call: Call = NO_CALL
     player: int = 0
     players: int = 2
@@ -67,16 +74,22 @@ class Facts:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """The outcome of a stroke.  `reason` is a key of the texts, `points` the change of score.
+    """The outcome of a stroke.
 
-    gift      points that the next player gets
-    lost      the next player wins
-    drawn     nobody wins, and it is over
-    down      balls that stay pocketed
-    spot      balls that are spotted
-    rack      how many balls are racked before the next stroke, 0 for none
-    state     how the game stands afterwards, None if as before
-    question  what a player may choose before play goes on
+    reason: a key of the texts.
+    points: the change of score.
+    made, foul: whether it scored, whether it was a foul.
+    passes: whether the turn passes to the next player.
+    won: whether it won the match.
+    facts: what happened.
+    gift: points for the next player.
+    lost: whether the next player wins by it.
+    drawn: whether it ended the match in a draw.
+    down: names of the balls that stay pocketed.
+    spot: names of the balls that are spotted.
+    rack: how many balls are racked before the next stroke, 0 for none.
+    state: of the game afterwards, None if unchanged.
+    question: what a player may choose before play goes on, or None.
     """
 
     reason: str
@@ -92,7 +105,7 @@ class Verdict:
     down: tuple[str, ...] = ()
     spot: tuple[str, ...] = ()
     rack: int = 0
-    state: State | None = None
+    state: GameState | None = None
     question: Question | None = None
 
 
@@ -105,8 +118,8 @@ class Rules(Protocol):
     def cues(self) -> tuple[str, ...]: ...
     @property
     def balls(self) -> tuple[str, ...]: ...
-    def start(self, players: int) -> State:
-        """How the game stands before its first stroke."""
+    def start(self, players: int) -> GameState:
+        """The state of the game before its first stroke."""
         ...
 
     def targets(self, turn: Turn) -> tuple[str, ...]:
@@ -114,19 +127,19 @@ class Rules(Protocol):
         ...
 
     def needs(self, turn: Turn) -> int:
-        """The cushions that this stroke has to meet before its last ball."""
+        """How many cushions this stroke must meet before its last ball."""
         ...
 
     def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
-        """What the stroke was worth: `log` holds its events alone, in order of time."""
+        """The verdict on a stroke, given the log of its events alone, in order of time."""
         ...
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:
-        """What the stroke was worth, read from its log already."""
+        """The verdict on a stroke that has been read from its log."""
         ...
 
     def settles(self, verdict: Verdict) -> bool:
-        """Whether a verdict on a stroke that still runs is its last: no contact can change it."""
+        """Whether no later contact can change a verdict on a stroke that is still running."""
         ...
 
 

@@ -176,7 +176,7 @@ def test_an_answer_that_was_not_offered_is_refused_by_the_keys_there_are():
     match = match.after(match.ruled(read(["cue>1"]).stroke("cue")))
     with pytest.raises(ValueError, match="accept, rerack, rerack_offender, not 'maybe'"):
         match.answered("maybe")
-    with pytest.raises(ValueError, match="nothing is asked"):
+    with pytest.raises(ValueError, match="no question to answer"):
         match.answered("accept").answered("accept")
 
 
@@ -199,7 +199,7 @@ def played(match: Match, *events: str) -> Match:
 
 def test_who_comes_after_the_winner_plays_a_last_inning_from_the_opening_position():
     match = played(straight(1), *CANNON)
-    assert (match.there, match.at, match.finished, match.opening) == ((0,), 1, False, True)
+    assert (match.reached, match.at, match.finished, match.opening) == ((0,), 1, False, True)
     assert played(match, "white>red").winner == 0
 
 
