@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from .contact import contact_time
 from .kinds import CUSHION, LEAVE
-from .leg import first_fall
+from .leg import first_fall, travelled
 from .subset import complex, kernel
 
 
@@ -40,7 +40,7 @@ def farthest(wall, p, v, a, t):
     out, pull, gained = (inward * v).real, (inward * a).real, 0.0
     if out > 0.0:  # or else it is farthest at the start, or where the next leg starts
         turns = out < -pull * t
-        gained = -0.5 * out * out / pull if turns else t * (out + 0.5 * t * pull)
+        gained = -0.5 * out * out / pull if turns else travelled(0.0, out, pull, t)
     return (inward * p).real + gained - wall.offset
 
 
