@@ -163,10 +163,10 @@ def report(world: World, options: argparse.Namespace) -> None:
     if not count and world.at_rest:
         say(f"all balls lie still: python -m physics sweep {options.name} --speed 2 plays a shot")
         return
-    say(f"{'time, s':>9}  {'event':8} {'who':24} speed before -> after, m/s")
+    say(f"{'time, s':>9}  {'event':8} {'what':24} speed before -> after, m/s")
     for event in world.log:
-        who = ", ".join([*event.balls, *([event.wall] if event.wall else [])])
-        say(f"{event.time:9.4f}  {event.kind:8} {who:24} {speeds(event)}")
+        what = ", ".join([*event.balls, *([event.wall] if event.wall else [])])
+        say(f"{event.time:9.4f}  {event.kind:8} {what:24} {speeds(event)}")
 
 
 def speeds(event: Event) -> str:

@@ -337,7 +337,7 @@ def cushion_rule(law: CushionLaw, parting: float, before: Rule | None = None) ->
     else:
         air = RigidCushion()
         nose = air.nose if before is None else 1.0 + before.height
-        rule = CustomRule(_bent(kernel.FOREIGN_CUSHION, air.e, air.mu, nose), law)
+        rule = CustomRule(_bent(kernel.CUSTOM_CUSHION, air.e, air.mu, nose), law)
     rule.parting = parting
     return rule
 
@@ -347,6 +347,6 @@ def ball_rule(law: BallLaw, parting: float) -> Rule:
     if isinstance(law, _BallLaw | ThesisBall):
         rule = law.rule()
     else:
-        rule = CustomRule(Rule(kernel.FOREIGN_BALL), law)
+        rule = CustomRule(Rule(kernel.CUSTOM_BALL), law)
     rule.parting = parting
     return rule

@@ -143,8 +143,8 @@ def _subset(folder: Path | None) -> ModuleType:
     vars(subset).update(
         kernel=kernel, elementary=kernel, whole=whole,
         inf=inf, sqrt=sqrt, complex=complex, room=kernel(lambda ties, contacts: None),
-        foreign_cushion=kernel(lambda v, roll, side, rule: (v, roll, side)),
-        foreign_ball=kernel(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
+        custom_cushion=kernel(lambda v, roll, side, rule: (v, roll, side)),
+        custom_ball=kernel(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
     )  # fmt: skip
     return subset
 

@@ -13,11 +13,11 @@ from physics.kernel.body import Body, Scene
 from physics.kernel.calendar import happen as happen_quickly
 from physics.kernel.calendar import plan_meetings, start_leg
 from physics.kernel.cluster import closing_speed
-from physics.kernel.grid import NOBODY, pass_by
+from physics.kernel.grid import MISSING, pass_by
 from physics.kernel.impulses import RUB, ask, slip_between, solve
 from physics.kernel.kinds import CLUSTER, NOTHING, SLIDING, UNSOLVED
 from physics.kernel.lasting import leans
-from physics.kernel.laws import ALCIATORE_BALL, FOREIGN_BALL, ROUGH_BALL, grip, press, toward
+from physics.kernel.laws import ALCIATORE_BALL, CUSTOM_BALL, ROUGH_BALL, grip, press, toward
 from physics.kernel.leg import carry, place
 from physics.kernel.subset import room
 from physics.kernel.tilt import between, tilt
@@ -52,7 +52,7 @@ def happen(i: int, scene: Scene, law: "HertzCluster") -> Any:
     """
     balls, rule = scene.balls, scene.ball_rule
     if scene.celled and pass_by(i, balls, scene.grid):
-        return NOTHING, NOBODY
+        return NOTHING, MISSING
     ball = balls[i]
     time, j = ball.next, ball.partner
     if ball.meets > ball.leg_end or len(balls) < 3 or max(ball.phase, balls[j].phase) > SLIDING:
@@ -100,7 +100,7 @@ def _within(contacts: Contacts, members: list[int]) -> Contacts:
 
 
 def _restitution(law: "HertzCluster", rule: Any) -> float:
-    if law.e is None and rule.kind == FOREIGN_BALL:
+    if law.e is None and rule.kind == CUSTOM_BALL:
         raise ValueError("HertzCluster.e must be given: a custom ball law has no such number")
     return max(LEAST, rule.restitution if law.e is None else law.e)
 

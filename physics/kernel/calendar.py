@@ -4,7 +4,7 @@ from .body import CLIMB, HEIGHT, ROLL_X, ROLL_Y, SIDE, VX, VY, X, Y
 from .cluster import TOUCHING, blows, collide, crowded, crowded_near, gather
 from .contact import meeting
 from .flight import hit_aloft, hit_nose, land
-from .grid import NOBODY, locate, pass_by, plan_crossing, plan_near, sooner
+from .grid import MISSING, locate, pass_by, plan_crossing, plan_near, sooner
 from .impulses import WALL
 from .kinds import (
     AIRBORNE,
@@ -38,7 +38,7 @@ def start_leg(i, scene):
     """Ball i goes on from where it is, as it is: how, until when, and where it may come."""
     ball = scene.balls[i]
     lasts = begin(ball, scene.cloth)
-    ball.goal = NOBODY
+    ball.goal = MISSING
     if ball.phase == AIRBORNE:
         lasts = meet_first_aloft(ball, scene.walls, scene.cushion_rule, lasts)
     elif RESTING < ball.phase < OFF:
@@ -60,7 +60,7 @@ def plan_meetings(i, scene):
     n = len(balls)
     ball = balls[i]
     west, east, south, north = ball.west, ball.east, ball.south, ball.north
-    ball.meets, ball.partner = inf, NOBODY
+    ball.meets, ball.partner = inf, MISSING
     for j in range(n):
         if j == i:
             continue
@@ -89,7 +89,7 @@ def appoint(j, i, when, balls, meetings):
         ball.meets, ball.partner = when, i
     else:
         n = len(balls)
-        ball.meets, ball.partner = inf, NOBODY
+        ball.meets, ball.partner = inf, MISSING
         for k in range(n):
             if meetings[n * j + k] < ball.meets:
                 ball.meets, ball.partner = meetings[n * j + k], k
@@ -110,7 +110,7 @@ def plan(scene):
         if scene.celled:
             locate(i, ball, grid)
         start_leg(i, scene)
-        ball.meets, ball.partner, ball.next = inf, NOBODY, ball.leg_end
+        ball.meets, ball.partner, ball.next = inf, MISSING, ball.leg_end
     for i in range(n):
         if scene.celled or balls[i].phase != RESTING:
             plan_meetings(i, scene)
@@ -140,7 +140,7 @@ def happen(i, scene):
     """
     balls, cloth = scene.balls, scene.cloth
     if scene.celled and pass_by(i, balls, scene.grid):
-        return NOTHING, NOBODY
+        return NOTHING, MISSING
     ball = balls[i]
     time = ball.next
     instant = time - ball.since < INSTANT

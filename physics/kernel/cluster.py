@@ -9,7 +9,7 @@ from .body import CONTACTS
 from .grid import neighbours
 from .impulses import PUSH, RUB, ask, other, slip_between, solve
 from .kinds import AIRBORNE
-from .laws import FOREIGN_BALL, SMOOTH_BALL, THESIS_BALL, grip, hit_ball, rebound, toward
+from .laws import CUSTOM_BALL, SMOOTH_BALL, THESIS_BALL, grip, hit_ball, rebound, toward
 from .leg import place
 from .motion import length
 from .subset import kernel, room
@@ -177,7 +177,7 @@ def collide(contacts, balls, rule, ties):
         if chosen == 0:
             return True
         alone = chosen == 1 and ties.contacts[ties.chosen[0]].target >= noise
-        if alone or rule.kind == THESIS_BALL or rule.kind == FOREIGN_BALL:
+        if alone or rule.kind == THESIS_BALL or rule.kind == CUSTOM_BALL:
             for k in range(chosen):
                 tie = ties.contacts[ties.chosen[k]]
                 tie.total += hit_ball(balls[tie.first], balls[tie.second], rule)

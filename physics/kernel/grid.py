@@ -11,7 +11,7 @@ from .kinds import RESTING
 from .leg import first_fall, place
 from .subset import inf, kernel
 
-NOBODY = -1
+MISSING = -1  # no ball, wall or cell
 EAST, WEST, NORTH, SOUTH = 0, 1, 2, 3
 
 
@@ -29,7 +29,7 @@ def neighbours(i, balls, grid):
     for c in range(max(column - 1, 0), min(column + 2, grid.columns)):
         for r in range(max(row - 1, 0), min(row + 2, grid.rows)):
             k = grid.head[c * grid.rows + r]
-            while k != NOBODY:
+            while k != MISSING:
                 if k != i:
                     grid.near[count] = k
                     count += 1
@@ -42,9 +42,9 @@ def leave(i, grid):
     """Take ball i off its cell's list."""
     seat = grid.seats[i]
     after, before = seat.after, seat.before
-    if after != NOBODY:
+    if after != MISSING:
         grid.seats[after].before = before
-    if before != NOBODY:
+    if before != MISSING:
         grid.seats[before].after = after
     else:
         grid.head[seat.column * grid.rows + seat.row] = after
@@ -55,8 +55,8 @@ def enter(i, column, row, grid):
     """Put ball i on a cell's list."""
     cell, seat = column * grid.rows + row, grid.seats[i]
     first = grid.head[cell]
-    seat.after, seat.before = first, NOBODY
-    if first != NOBODY:
+    seat.after, seat.before = first, MISSING
+    if first != MISSING:
         grid.seats[first].before = i
     grid.head[cell] = i
     seat.column, seat.row = column, row
@@ -74,7 +74,7 @@ def cell_of(x, low, size, cells):
 @kernel
 def locate(i, ball, grid):
     """Ball i has been put somewhere."""
-    if grid.seats[i].column != NOBODY:
+    if grid.seats[i].column != MISSING:
         leave(i, grid)
     column = cell_of(ball.position.real, grid.west, grid.size, grid.columns)
     row = cell_of(ball.position.imag, grid.south, grid.size, grid.rows)
@@ -136,7 +136,7 @@ def rank(i, balls, grid):
     node = (len(tree) // 2 + i) // 2
     while node > 0:
         left, right = tree[2 * node], tree[2 * node + 1]
-        tree[node] = left if right == NOBODY or balls[left].next <= balls[right].next else right
+        tree[node] = left if right == MISSING or balls[left].next <= balls[right].next else right
         node //= 2
 
 
@@ -151,7 +151,7 @@ def plan_near(i, balls, grid):
     """The near ball that ball i will meet first, and the balls that will meet ball i first."""
     ball = balls[i]
     west, east, south, north = ball.west, ball.east, ball.south, ball.north
-    ball.meets, ball.partner = inf, NOBODY
+    ball.meets, ball.partner = inf, MISSING
     for m in range(neighbours(i, balls, grid)):
         j = grid.near[m]
         other = balls[j]

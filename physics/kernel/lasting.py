@@ -15,7 +15,7 @@ from .cluster import NOISE, TOUCHING, join, pace, seat, touching
 from .grid import neighbours
 from .impulses import PUSH, RUB, WALL, ask, dot, other, parting, slip_between, solve
 from .laws import (
-    FOREIGN_BALL,
+    CUSTOM_BALL,
     SMOOTH_BALL,
     THESIS_BALL,
     ball_law,
@@ -347,7 +347,7 @@ def hold(tie, balls, rule):
     if tie.second <= WALL or rule.kind == SMOOTH_BALL or rule.kind == THESIS_BALL:
         return 0.0
     a, b, line = balls[tie.first], balls[tie.second], tie.line
-    if rule.kind != FOREIGN_BALL:
+    if rule.kind != CUSTOM_BALL:
         return grip(slip_between(a, b, line), rule) / tilt(a, b)[0]
     turn = line.conjugate()
     v, roll = turn * (a.velocity - b.velocity), turn * (a.roll + b.roll)

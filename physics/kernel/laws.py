@@ -8,11 +8,11 @@ axis too where the line of centres is tilted. A complex rub is (along, upward).
 from .elementary import exp
 from .mathavan import mathavan_cushion
 from .motion import length
-from .subset import complex, foreign_ball, foreign_cushion, kernel
+from .subset import complex, custom_ball, custom_cushion, kernel
 from .tilt import levelled, tilt
 
-RIGID_CUSHION, THESIS_CUSHION, CAPPED_CUSHION, MATHAVAN_CUSHION, FOREIGN_CUSHION = 0, 1, 2, 3, 4
-SMOOTH_BALL, ROUGH_BALL, ALCIATORE_BALL, FOREIGN_BALL, THESIS_BALL = 0, 1, 2, 3, 4
+RIGID_CUSHION, THESIS_CUSHION, CAPPED_CUSHION, MATHAVAN_CUSHION, CUSTOM_CUSHION = 0, 1, 2, 3, 4
+SMOOTH_BALL, ROUGH_BALL, ALCIATORE_BALL, CUSTOM_BALL, THESIS_BALL = 0, 1, 2, 3, 4
 
 
 @kernel
@@ -76,8 +76,8 @@ def cushion(v, roll, side, rule):
         return mathavan_cushion(v, roll, side, rule)
     if rule.kind == CAPPED_CUSHION:
         return capped_cushion(v, roll, side, rule)
-    if rule.kind == FOREIGN_CUSHION:
-        return foreign_cushion(v, roll, side, rule)
+    if rule.kind == CUSTOM_CUSHION:
+        return custom_cushion(v, roll, side, rule)
     return thesis_cushion(v, roll, side, rule)
 
 
@@ -95,8 +95,8 @@ def ball_law(v, roll, side, mass, level, rule):
 
     The push is along the table. It is the share `level` of all that presses the balls together.
     """
-    if rule.kind == FOREIGN_BALL:
-        return foreign_ball(v, roll, side, mass, rule)
+    if rule.kind == CUSTOM_BALL:
+        return custom_ball(v, roll, side, mass, rule)
     push = mass * rebound(v.real, rule)
     if rule.kind == SMOOTH_BALL:
         return push, 0j

@@ -44,11 +44,11 @@ def room(ties: Any, contacts: int) -> None:
         ties.blows.append(Blow())
 
 
-def foreign_cushion(v: complex, roll: complex, side: float, rule: Any) -> Any:
+def custom_cushion(v: complex, roll: complex, side: float, rule: Any) -> Any:
     """A custom cushion law: batches with one run interpreted."""
     return rule.function(v, roll, side)
 
 
-def foreign_ball(v: complex, roll: complex, side: float, mass: float, rule: Any) -> Any:
+def custom_ball(v: complex, roll: complex, side: float, mass: float, rule: Any) -> Any:
     """A custom ball law."""
     return rule.function(v, roll, side, mass)

@@ -185,7 +185,7 @@ def kernel() -> ModuleType:
         sqrt=smooth(math.sqrt, lambda x, y: 0.5 / y if y > 0.0 else math.nan),
         elementary=lambda function: smooth(function, SLOPES[function.__name__]),
         complex=complex_number,
-        foreign_cushion=_custom_cushion,
-        foreign_ball=_custom_ball,
+        custom_cushion=_custom_cushion,
+        custom_ball=_custom_ball,
     )
     return load(NAME, subset)

@@ -20,7 +20,7 @@ ELEMENTARY = {
 }
 
 
-def _foreign(*_: Any) -> Any:
+def _custom(*_: Any) -> Any:
     raise NotImplementedError("custom laws are not run in 50 digits")
 
 
@@ -32,7 +32,7 @@ def kernel() -> ModuleType:
     vars(subset).update(
         kernel=lambda function: function, inf=mpmath.inf, sqrt=mpmath.sqrt,
         elementary=lambda function: ELEMENTARY[function.__name__],
-        complex=mpmath.mpc, foreign_ball=_foreign, foreign_cushion=_foreign,
+        complex=mpmath.mpc, custom_ball=_custom, custom_cushion=_custom,
         whole=lambda function: function, room=room,
     )  # fmt: skip
     package: Any = load("physics.fifty_digit_kernel", subset)

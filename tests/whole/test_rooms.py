@@ -4,11 +4,10 @@ import ast
 import subprocess
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 
-from tests.whole.test_architecture import MODULES, ROOT, SOURCES, dotted, imported
+from tests.whole.test_architecture import MODULES, ROOT, SOURCES, dotted, imported, needed
 
 AROUND = ("benchmarks", "tools", "tests")  # not installed with the packages
 FILES = sorted(path for part in AROUND for path in (ROOT / part).rglob("*.py"))
@@ -24,21 +23,6 @@ OPENS_THE_GAME = {
     "tools/readme_pictures.py": "draws its pictures",
     "tests/rules/test_cushions_that_count.py": "its counters count as the rules do",
 }
-
-
-def named(path: Path) -> set[str]:
-    """The modules that a file names: at its top, in a function or for types alone."""
-    found = set()
-    package = dotted(path) if path.name == "__init__.py" else dotted(path).rpartition(".")[0]
-    for node in ast.walk(ast.parse(path.read_text())):
-        if isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom):
-            above = package.split(".")[: 1 - node.level or None] if node.level else []
-            module = ".".join([*above, *filter(None, [node.module])])
-            names = {f"{module}.{alias.name}" for alias in node.names}
-            found |= names & NAMES | ({module} if names - NAMES else set())
-    return found & NAMES - {dotted(path)}
 
 
 def place(module: str) -> int:
@@ -65,12 +49,12 @@ def circles(graph: dict[str, set[str]]) -> Iterator[str]:
 
 @pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(ROOT)))
 def test_what_stands_around_the_packages_names_nothing_above_itself(path):
-    assert {name for name in named(path) if place(name) > place(dotted(path))} == set()
+    assert {name for name in needed(path, NAMES) if place(name) > place(dotted(path))} == set()
 
 
 @pytest.mark.parametrize("package", ["physics", "danggu", "benchmarks", "tests"])
 def test_no_module_leads_back_to_itself_not_even_for_types_or_in_a_function(package):
-    graph = {dotted(p): named(p) for p in EVERY if p.is_relative_to(ROOT / package)}
+    graph = {dotted(p): needed(p, NAMES) for p in EVERY if p.is_relative_to(ROOT / package)}
     assert list(circles(graph)) == []
 
 
