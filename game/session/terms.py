@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import json
-import re
 from dataclasses import asdict, dataclass, field, fields
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from danggu.players.levels import LEVELS, Level
 from danggu.players.positions import SAGU, THREE_CUSHION, opening
@@ -16,9 +15,6 @@ from danggu.rules.verdict import Rules
 from game.table import presets
 from physics import Ball, World
 
-if TYPE_CHECKING:
-    from game.options import Options
-
 FREE, FOUR_BALL = "free", "four-ball"
 GAMES = (*RULES,)
 KEYS = {FOUR_BALL: SAGU, "three-cushion": THREE_CUSHION}
@@ -28,7 +24,7 @@ TABLES = {FREE: "medium", FOUR_BALL: "medium", "three-cushion": "match"}
 HUMAN = "human"
 SKILLS: dict[str, Level] = {level.key: level for level in LEVELS}
 SEATS = (HUMAN, *SKILLS)
-FINISHES = sagu.FINISHES
+FINISHES, EXTRA_3C = sagu.FINISHES, sagu.EXTRA_3C
 LONGEST_NAME = 16
 MOST_POINTS = 200
 PENALTIES = (0, 1, 2)
@@ -57,7 +53,7 @@ class Seat:
 
 
 @dataclass(frozen=True, slots=True)
-class Fixture:
+class Terms:
     """A game, its players and its table; ValueError for what cannot be played.
 
     `finish`, `penalty` and `floor` are house rules of 4-ball, `bank` and `red_first` of
@@ -70,7 +66,7 @@ class Fixture:
     cloth: str = "table"
     law: str = "table"
     engine: str = "exact"
-    finish: str = sagu.EXTRA_3C
+    finish: str = EXTRA_3C
     penalty: int = 1
     floor: bool = True
     bank: int = 1
@@ -79,7 +75,7 @@ class Fixture:
     def __post_init__(self) -> None:
         known: dict[str, tuple[Any, ...]] = {
             "game": GAMES, "table": (*presets.TABLES,), "cloth": (*presets.CLOTHS,),
-            "law": ("table", *presets.LAWS), "engine": (*presets.ENGINES,), "finish": sagu.FINISHES,
+            "law": ("table", *presets.LAWS), "engine": (*presets.ENGINES,), "finish": FINISHES,
             "penalty": PENALTIES, "bank": BANKS, "floor": (True, False), "red_first": (True, False),
         }  # fmt: skip
         for name, values in known.items():
@@ -118,44 +114,20 @@ class Fixture:
         return json.dumps(asdict(self), ensure_ascii=False, separators=(",", ":"))
 
 
-def read(line: str) -> Fixture:
-    """What `Fixture.line` has written; ValueError, saying what is wrong, for anything else."""
+def read(line: str) -> Terms:
+    """What `Terms.line` has written; ValueError, saying what is wrong, for anything else."""
     try:
         data = json.loads(line)
     except (ValueError, RecursionError):
         raise ValueError("a fixture is written as JSON") from None
     if not isinstance(data, dict) or not isinstance(data.get("seats", []), list):
         raise ValueError("a fixture is an object with a list of seats")
-    unknown = set(data) - {f.name for f in fields(Fixture)}
+    unknown = set(data) - {f.name for f in fields(Terms)}
     if unknown:
         raise ValueError(f"a fixture has no {min(unknown)!r:.60}")
     try:
         if "seats" in data:
             data["seats"] = tuple(Seat(**seat) for seat in data["seats"])
-        return Fixture(**data)
+        return Terms(**data)
     except TypeError as error:
         raise ValueError(f"no such fixture: {error}") from None
-
-
-def asked(options: Options) -> Fixture:
-    """The fixture that the command line asks for; ValueError names what is wrong with it."""
-    said = (options.players or "2").split(",")
-    names = said
-    if len(said) == 1 and said[0].strip("+-").isdecimal():
-        if said[0] not in ("1", "2"):
-            raise ValueError(f"players must be 1 or 2, not {said[0]:.20}")
-        names = [""] * int(said[0])
-    levels = (options.level or HUMAN).split(",")
-    if len(levels) < len(names):
-        levels = [HUMAN] * (len(names) - len(levels)) + levels
-    goals = (options.handicap or "10").split(",")
-    goals += goals[-1:] * (len(names) - len(goals))
-    for said, whole in ((levels, options.level), (goals, options.handicap)):
-        if len(said) > len(names):
-            raise ValueError(f"{whole!r:.60} is for {len(said)} players: there are {len(names)}")
-    if not all(re.fullmatch(r"\d{1,9}", goal) for goal in goals):
-        raise ValueError(f"a handicap is a whole number, not {options.handicap!r:.60}")
-    seats = tuple(Seat(n.strip(), v, int(g)) for n, v, g in zip(names, levels, goals, strict=True))
-    law, finish = options.law or "table", options.finish or sagu.EXTRA_3C
-    played_on = options.table, options.cloth, law, options.engine
-    return Fixture(options.game, seats, *played_on, finish)

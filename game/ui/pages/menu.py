@@ -16,7 +16,7 @@ from game.input.numerals import typed
 from game.input.text_field import TextField
 from game.render.parts import text_line
 from game.session.action import Action
-from game.session.session import Game
+from game.session.session import Session
 from game.session.terms import (
     BANKS,
     FOUR_BALL,
@@ -27,8 +27,8 @@ from game.session.terms import (
     PENALTIES,
     SEATS,
     TABLES,
-    Fixture,
     Seat,
+    Terms,
 )
 from game.table import presets
 from game.ui.panels.parts import Sight
@@ -62,40 +62,40 @@ CHOICES: dict[str, tuple[Any, ...]] = {
 }
 
 
-def rows(fixture: Fixture) -> list[Row]:
+def rows(terms: Terms) -> list[Row]:
     """The rows that a fixture has: the game's at the left, the players' at the right."""
     own = {FREE: [], FOUR_BALL: ["finish", "penalty", "floor"]}
-    names = ["game", *own.get(fixture.game, ["bank", "red_first"]), "table", "cloth", "law"]
+    names = ["game", *own.get(terms.game, ["bank", "red_first"]), "table", "cloth", "law"]
     left = [Row(name) for name in names]
-    if fixture.game == FREE:
+    if terms.game == FREE:
         return left
     right = [Row("players")]
-    for seat in range(len(fixture.seats)):
+    for seat in range(len(terms.seats)):
         right += [Row("name", "text", seat), Row("level", "choice", seat)]
         right += [Row("target", "number", seat)]
     return left + right
 
 
-def turned(fixture: Fixture, row: Row, step: int) -> Fixture:
+def turned(terms: Terms, row: Row, step: int) -> Terms:
     """The fixture with a row `step` choices on."""
     if row.name == "players":
-        two = (*fixture.seats, Seat())[:2]
-        return replace(fixture, seats=two if len(fixture.seats) == 1 else two[:1])
+        two = (*terms.seats, Seat())[:2]
+        return replace(terms, seats=two if len(terms.seats) == 1 else two[:1])
     if row.seat >= 0:
-        return _seated(fixture, row, _turned_seat(fixture.seats[row.seat], row, step))
+        return _seated(terms, row, _turned_seat(terms.seats[row.seat], row, step))
     keys = CHOICES[row.name]
     way = (step > 0) - (step < 0)
-    value = keys[(keys.index(getattr(fixture, row.name)) + way) % len(keys)]
-    changed = replace(fixture, **{row.name: value})
+    value = keys[(keys.index(getattr(terms, row.name)) + way) % len(keys)]
+    changed = replace(terms, **{row.name: value})
     if row.name == "game":
         changed = replace(changed, table=TABLES[value], cloth="table", law="table")
     return changed
 
 
-def _seated(fixture: Fixture, row: Row, seat: Seat) -> Fixture:
-    seats = list(fixture.seats)
+def _seated(terms: Terms, row: Row, seat: Seat) -> Terms:
+    seats = list(terms.seats)
     seats[row.seat] = seat
-    return replace(fixture, seats=tuple(seats))
+    return replace(terms, seats=tuple(seats))
 
 
 def _turned_seat(seat: Seat, row: Row, step: int) -> Seat:
@@ -107,19 +107,19 @@ def _turned_seat(seat: Seat, row: Row, step: int) -> Seat:
     return seat
 
 
-def text_of(fixture: Fixture, row: Row) -> str:
+def text_of(terms: Terms, row: Row) -> str:
     """The text of a row that is typed into."""
-    seat = fixture.seats[row.seat]
+    seat = terms.seats[row.seat]
     return seat.name if row.name == "name" else str(seat.target)
 
 
-def written(fixture: Fixture, row: Row, text: str) -> Fixture:
+def written(terms: Terms, row: Row, text: str) -> Terms:
     """The fixture with the text of a name or a number, which is kept within its bounds."""
-    seat = fixture.seats[row.seat]
+    seat = terms.seats[row.seat]
     if row.name == "name":
-        return _seated(fixture, row, replace(seat, name=text.lstrip()))
+        return _seated(terms, row, replace(seat, name=text.lstrip()))
     number = min(max(int(text or 1), 1), MOST_POINTS)
-    return _seated(fixture, row, replace(seat, target=number))
+    return _seated(terms, row, replace(seat, target=number))
 
 
 def accepted(row: Row, text: str) -> str:
@@ -134,7 +134,7 @@ class Menu:
     """Focus, and the fixture that is being put together."""
 
     def __init__(self) -> None:
-        self.fixture = Fixture()
+        self.terms = Terms()
         self.focus = 0
         self.over: Spot = NOTHING
         self.field: TextField | None = None
@@ -146,21 +146,21 @@ class Menu:
         self._left: Row | None = None
         """The row of text that was left last: a syllable may come only then."""
 
-    def open(self, game: Game) -> None:
+    def open(self, session: Session) -> None:
         """Begin with what is being played."""
-        begun = game.contest.fixture if game.contest else self._free(game)
-        self.fixture = replace(begun, engine=game.match_engine)
+        begun = session.contest.terms if session.contest else self._free(session)
+        self.terms = replace(begun, engine=session.match_engine)
         self._left = None
         self._focus(0)
 
-    def _free(self, game: Game) -> Fixture:
-        table = game.table if game.table in presets.TABLES else "medium"
-        return replace(self.fixture, game=FREE, table=table, cloth="table", law="table")
+    def _free(self, session: Session) -> Terms:
+        table = session.table if session.table in presets.TABLES else "medium"
+        return replace(self.terms, game=FREE, table=table, cloth="table", law="table")
 
     @property
     def rows(self) -> list[Row]:
         """The rows of this fixture."""
-        return rows(self.fixture)
+        return rows(self.terms)
 
     @property
     def row(self) -> Row | None:
@@ -175,7 +175,7 @@ class Menu:
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
         line = None if self.field is None else sight.line(self.field)
-        return self.fixture, self.focus, self.over, line, self.refused, sight.words["menu.title"]
+        return self.terms, self.focus, self.over, line, self.refused, sight.words["menu.title"]
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
         """Draw the menu; returns its rectangle."""
@@ -228,7 +228,7 @@ class Menu:
 
     def _turn(self, event: pygame.event.Event, row: Row) -> None:
         if event.key in TURNS:
-            self.fixture = turned(self.fixture, row, TURNS[event.key])
+            self.terms = turned(self.terms, row, TURNS[event.key])
             self._focus(self.focus)
         elif row.kind == "number" and not getattr(event, "mod", 0) & editing.COMMAND:
             char = character(event) or (chr(event.key) if 32 <= event.key < 127 else "")
@@ -254,7 +254,7 @@ class Menu:
         self.field, self.touched = None, False
         if row is not None and row.kind != "choice":
             longest = LONGEST_NAME if row.kind == "text" else len(str(MOST_POINTS))
-            self.field = TextField(text_of(self.fixture, row), longest)
+            self.field = TextField(text_of(self.terms, row), longest)
 
     def _type(self, text: str) -> None:
         row = self.row
@@ -271,17 +271,17 @@ class Menu:
     def _late(self, text: str) -> None:
         """A syllable has come after the key that ended it, and with that its row."""
         if self._left is not None:
-            name = text_of(self.fixture, self._left) + accepted(self._left, text)
-            self.fixture = written(self.fixture, self._left, name[:LONGEST_NAME])
+            name = text_of(self.terms, self._left) + accepted(self._left, text)
+            self.terms = written(self.terms, self._left, name[:LONGEST_NAME])
 
     def _write(self, row: Row) -> None:
         """Bring what has been typed into the fixture; a number too large is made the largest."""
         if self.field is None:
             return
         text = self.field.text
-        self.fixture = written(self.fixture, row, text)
+        self.terms = written(self.terms, row, text)
         if row.kind == "number" and int(text or 1) > MOST_POINTS:
-            most = text_of(self.fixture, row)
+            most = text_of(self.terms, row)
             self.field, self.refused = TextField(most, len(most), anchor=len(most)), "full"
 
     def _press(self, at: tuple[int, int], sight: Sight) -> Action | None:
@@ -296,7 +296,7 @@ class Menu:
         if row is None:
             return self._do(BUTTONS[spot.place - len(self.rows)])
         if spot.step:
-            self.fixture = turned(self.fixture, row, spot.step)
+            self.terms = turned(self.terms, row, spot.step)
             self._focus(self.focus)
         return None
 
@@ -313,7 +313,7 @@ class Menu:
     def _do(self, name: str) -> Action:
         match name:
             case "start":
-                return Action("match", self.fixture.line())
+                return Action("match", self.terms.line())
             case "quit" | "help" | "settings":
                 return Action(name)
             case _:

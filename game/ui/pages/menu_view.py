@@ -12,7 +12,7 @@ from game.render.layout import Layout
 from game.render.parts import shapes, text_line
 from game.render.parts.text_line import Line
 from game.render.theme import ACCENT, LINE_INPUT, PANEL_RAISED
-from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, SKILLS, Fixture
+from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, SKILLS, Terms
 from game.ui.panels.parts import Sight
 
 from . import page_parts
@@ -117,7 +117,7 @@ def draw(surface: pygame.Surface, sight: Sight, menu: Menu) -> pygame.Rect:
     rect = page_parts.frame(
         surface, sight, w["menu.title"], _foot(w, menu), bool(menu.refused), over == CLOSE
     )
-    _heads(surface, sight, menu.fixture)
+    _heads(surface, sight, menu.terms)
     for place, row in enumerate(rows):
         _row(surface, sight, row_rect(rows, place, layout), menu, place, row)
     for k, (name, spot) in enumerate(zip(BUTTONS, button_rects(layout), strict=True)):
@@ -126,12 +126,12 @@ def draw(surface: pygame.Surface, sight: Sight, menu: Menu) -> pygame.Rect:
     return rect
 
 
-def _heads(surface: pygame.Surface, sight: Sight, fixture: Fixture) -> None:
+def _heads(surface: pygame.Surface, sight: Sight, terms: Terms) -> None:
     area, s, w = page_parts.inside(sight.layout), sight.layout.s, sight.words
     base = area.y + 12 * s
     sight.type.draw(surface, w["menu.game.head"], (area.x, base), 13, ACCENT)
     middle = area.x + (area.w - sight.layout.px(32)) // 2 + sight.layout.px(32)
-    if fixture.game != FREE:
+    if terms.game != FREE:
         sight.type.draw(surface, w["menu.players.head"], (middle, base), 13, ACCENT)
         return
     size, room = 13, area.right - middle
@@ -141,13 +141,13 @@ def _heads(surface: pygame.Surface, sight: Sight, fixture: Fixture) -> None:
 
 
 def _foot(w: dict[str, str], menu: Menu) -> str:
-    row, fixture = menu.row, menu.fixture
+    row, terms = menu.row, menu.terms
     if row is None:
         return w["menu.hint.button"]
     if menu.refused:
         return w[f"menu.refused.{row.name}"].format(most=MOST_POINTS, length=LONGEST_NAME)
     if row.name == "level":
-        skill = SKILLS.get(fixture.seats[row.seat].level)
+        skill = SKILLS.get(terms.seats[row.seat].level)
         if skill is not None:
             numbers = {"angle": f"{skill.angle:g}", "speed": f"{100 * skill.speed:g}"}
             return w["level.error"].format(**numbers, tip=f"{skill.tip:g}")
@@ -156,16 +156,16 @@ def _foot(w: dict[str, str], menu: Menu) -> str:
     return w["menu.hint." + row.kind]
 
 
-def value_word(row: Row, fixture: Fixture, w: dict[str, str]) -> str:
+def value_word(row: Row, terms: Terms, w: dict[str, str]) -> str:
     """Return what a row says."""
     if row.name == "players":
-        return w[f"players.{len(fixture.seats)}"]
+        return w[f"players.{len(terms.seats)}"]
     if row.seat >= 0:
-        seat = fixture.seats[row.seat]
+        seat = terms.seats[row.seat]
         if row.name == "name":
             return seat.name
         return w[f"level.{seat.level}"] if row.name == "level" else str(seat.target)
-    value = getattr(fixture, row.name)
+    value = getattr(terms, row.name)
     if isinstance(value, bool):
         return w["yes" if value else "no"]
     return str(value) if isinstance(value, int) else w[f"{row.name}.{value}"]
@@ -195,18 +195,18 @@ def _value(
     """Draw what a row says: with its caret where it is typed into."""
     type_, w, window = sight.type, sight.words, text_window(rect, sight)
     base = rect.centery + type_.cap(SIZE) / 2
-    line, tone = Line(type_.fitted(value_word(row, menu.fixture, w), SIZE, window.w)), theme.TEXT
+    line, tone = Line(type_.fitted(value_word(row, menu.terms, w), SIZE, window.w)), theme.TEXT
     if focused and menu.field is not None:
         line = sight.line(menu.field)
     if row.name == "name" and not line.whole.text:
-        usual = player_name(menu.fixture, row.seat, w)
+        usual = player_name(menu.terms, row.seat, w)
         line, tone = line._replace(text=type_.fitted(usual, SIZE, window.w)), theme.TEXT_FAINT
     text_line.draw(surface, window, type_, line, SIZE, base, tone, "centre")
 
 
-def player_name(fixture: Fixture, index: int, w: dict[str, str]) -> str:
+def player_name(terms: Terms, index: int, w: dict[str, str]) -> str:
     """Return how a player is called: the name that was given, or the usual one."""
-    seat = fixture.seats[index]
+    seat = terms.seats[index]
     if seat.name:
         return seat.name
     if seat.level in SKILLS:

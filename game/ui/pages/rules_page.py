@@ -9,7 +9,7 @@ import pygame
 from game.render import theme
 from game.render.parts import shapes
 from game.session.action import Action
-from game.session.session import Game
+from game.session.session import Session
 from game.session.terms import GAMES
 from game.ui.panels.parts import Sight
 
@@ -30,13 +30,13 @@ class Rules:
         self.place = 0
         self.over = ""
 
-    def open(self, game: Game) -> None:
+    def open(self, session: Session) -> None:
         """Begin with the game that is played."""
-        self.place = GAMES.index(game.contest.fixture.game) if game.contest else 0
+        self.place = GAMES.index(session.contest.terms.game) if session.contest else 0
 
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
-        return self.place, self.over, sight.game.language
+        return self.place, self.over, sight.session.language
 
     def handle(self, event: pygame.event.Event, sight: Sight) -> Action | None:
         """Return what an event means."""
@@ -73,7 +73,7 @@ class Rules:
         if page_parts.close_rect(sight.layout).collidepoint(at):
             return "close"
         tabs = zip(GAMES, self._tabs(sight), strict=True)
-        return next((game for game, rect in tabs if rect.collidepoint(at)), "")
+        return next((name for name, rect in tabs if rect.collidepoint(at)), "")
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
         """Draw the page; returns its rectangle."""

@@ -6,9 +6,9 @@ from collections.abc import Hashable
 
 import pygame
 
-from game.input.bindings import NAMES
+from game.input.key_tables import NAMES
 from game.session.action import Action
-from game.session.session import Game
+from game.session.session import Session
 from game.ui.panels.parts import Sight
 
 from . import settings_view
@@ -35,14 +35,14 @@ class Sheet:
     typing = False
     """Characters are never typed here."""
 
-    def open(self, game: Game) -> None:
+    def open(self, session: Session) -> None:
         """Stand where it stood when it was closed."""
         self.waiting = False
 
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
         state = self.focus, self.waiting, self.first, self.over
-        now = tuple(current(row, sight.game, sight.settings) for row in CHOSEN)
+        now = tuple(current(row, sight.session, sight.settings) for row in CHOSEN)
         keys = tuple(sight.preferences.keys.names.values())
         return state, now, keys, sight.preferences.refused
 
@@ -94,7 +94,7 @@ class Sheet:
         return None
 
     def _turn(self, step: int, sight: Sight) -> Action | None:
-        now = current(self.row, sight.game, sight.settings)
+        now = current(self.row, sight.session, sight.settings)
         return chosen(self.row, beside(self.row, now, step), now) if step else None
 
     def _go(self, focus: int, sight: Sight) -> None:
@@ -119,8 +119,10 @@ class Sheet:
         if self.row.kind == "slider":
             sight.pointer.grip = self.row.name
             return self._slide(at, sight)
-        return chosen(self.row, key, current(self.row, sight.game, sight.settings)) if key else None
+        return (
+            chosen(self.row, key, current(self.row, sight.session, sight.settings)) if key else None
+        )
 
     def _slide(self, at: Place, sight: Sight) -> Action | None:
         key = settings_view.slid(at, sight, self.focus)
-        return chosen(self.row, key, current(self.row, sight.game, sight.settings))
+        return chosen(self.row, key, current(self.row, sight.session, sight.settings))

@@ -6,7 +6,8 @@ from typing import NamedTuple
 
 from game.input.bindings import DEFAULTS
 from game.session.action import Action
-from game.session.session import Game
+from game.session.commands import COMMANDS
+from game.session.session import Session
 from game.settings.settings import CHOICES, LOUDEST, Settings
 from game.table.presets import LAWS
 
@@ -36,14 +37,12 @@ CHOSEN: tuple[Row, ...] = (
 )
 KEYS: tuple[Row, ...] = tuple(Row(name, "key") for name in DEFAULTS)
 ROWS = CHOSEN + KEYS
-GAME = ("language", "table", "cloth", "law", "engine")
-"""Rows that the game knows, the others are preferences."""
 
 
-def current(row: Row, game: Game, settings: Settings) -> str:
+def current(row: Row, session: Session, settings: Settings) -> str:
     """Return which of a row's keys is chosen; of none ("own" laws, a scene) some other word."""
-    if row.name in GAME:
-        return str(getattr(game, row.name))
+    if (command := COMMANDS.get(row.name)) and command.kept:
+        return str(getattr(session, row.name))
     if row.name == "sound":
         return SWITCH[not settings.muted]
     if row.name == "still":

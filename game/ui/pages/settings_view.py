@@ -101,7 +101,7 @@ def cells(index: int, sight: Sight) -> list[Cell]:
     )
     if found[-1].rect.right <= rect.right:
         return found
-    now = current(row, sight.game, sight.settings)
+    now = current(row, sight.session, sight.settings)
     word = choice_word(row, now, sight) if now in row.keys else "–"
     steps = [(beside(row, now, -1), "←"), (now, word), (beside(row, now, 1), "→")]
     return _side_by_side(steps, left, rect, sight)
@@ -247,7 +247,7 @@ def _row(
     base = rect.centery + sight.type.cap(13) / 2
     ink = TEXT if focused else TEXT_SOFT
     sight.type.draw(surface, sight.words[f"set.{row.name}"], (rect.x + 10 * s, base), 13, ink)
-    now = current(row, sight.game, sight.settings)
+    now = current(row, sight.session, sight.settings)
     if row.kind == "slider":
         _slider(surface, sight, index, now, focused)
     for cell, key, word in cells(index, sight):

@@ -9,6 +9,7 @@ import pygame
 
 from game.aim.entry import BOXES, MINUS, MOST, Fault, shown
 from game.aim.spread import Spread
+from game.input.captions import words
 from game.input.composing import Composition
 from game.input.pointer import Pointer
 from game.input.text_field import TextField
@@ -17,10 +18,9 @@ from game.render.layout import Layout
 from game.render.parts import cards, fields, icons
 from game.render.parts.text_line import Line
 from game.session.action import Action
-from game.session.session import Game, Notice
+from game.session.session import Notice, Session
 from game.settings.preferences import Preferences
 from game.settings.settings import Settings
-from game.text import words
 
 from . import prompts
 
@@ -33,7 +33,7 @@ WARNINGS = ("miscue",)
 class Sight:
     """Everything a part draws from."""
 
-    game: Game
+    session: Session
     layout: Layout
     type: Type
     pointer: Pointer
@@ -47,7 +47,7 @@ class Sight:
 
     @property
     def words(self) -> dict[str, str]:
-        return words(self.game.language, self.preferences.keys.changed)
+        return words(self.session.language, self.preferences.keys.changed)
 
     @property
     def settings(self) -> Settings:
@@ -129,8 +129,8 @@ def _label(box: str, w: dict[str, str]) -> str:
 
 def _box_touch(index: int, at: Place, rect: pygame.Rect, sight: Sight) -> Action:
     """The first press begins to edit all of the box, the next one chooses a place in it."""
-    edited = sight.game.aim.edited
-    if edited is None or sight.game.aim.box != index:
+    edited = sight.session.aim.edited
+    if edited is None or sight.session.aim.box != index:
         return Action("edit", index)
     unit, text = _unit(index, sight.words), shown(edited.text)
     return Action("caret", fields.caret_at(rect, sight.type, text, at[0], unit, edited.caret))
@@ -142,7 +142,7 @@ def _unit(index: int, w: dict[str, str]) -> str:
 
 def _box_look(index: int, sight: Sight) -> tuple[Line, str]:
     """What is in a box, and its state."""
-    aim = sight.game.aim
+    aim = sight.session.aim
     line, edited = Line(shown(aim.texts[index])), aim.box == index
     if edited and aim.edited is not None:
         line = sight.line(aim.edited)._replace(text=line.text)
@@ -153,7 +153,7 @@ def _box_look(index: int, sight: Sight) -> tuple[Line, str]:
     elif sight.pointer.over == f"box {index}":
         state = "hover"
     else:
-        state = "disabled" if sight.game.moving else "idle"
+        state = "disabled" if sight.session.moving else "idle"
     return line, state
 
 
@@ -162,11 +162,11 @@ def _box_look(index: int, sight: Sight) -> tuple[Line, str]:
 
 def _shoot_look(sight: Sight) -> tuple[str, str, str]:
     """Label, key cap and state of the button."""
-    game, w = sight.game, sight.words
+    session, w = sight.session, sight.words
     hot = sight.pointer.over == "shoot"
     state = ("pressed" if sight.pointer.down else "hover") if hot else "idle"
-    label, cap, action = prompts.button(game)
-    if action.name in ("fire", "next") and game.aim.shown_faults:
+    label, cap, action = prompts.button(session)
+    if action.name in ("fire", "next") and session.aim.shown_faults:
         state = "disabled"
     return w[label], w[cap] if cap else "", state
 
@@ -176,7 +176,7 @@ def _shoot_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyg
 
 
 def _shoot_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
-    return prompts.button(sight.game)[2]
+    return prompts.button(sight.session)[2]
 
 
 def why(fault: Fault, w: dict[str, str], pattern: str = "fault") -> str:
@@ -185,42 +185,42 @@ def why(fault: Fault, w: dict[str, str], pattern: str = "fault") -> str:
     return w[pattern].format(box=w["box." + BOXES[fault.box]], why=reason)
 
 
-def hint(game: Game, w: dict[str, str]) -> tuple[str, bool]:
+def hint(session: Session, w: dict[str, str]) -> tuple[str, bool]:
     """The line of help, or of what went wrong."""
-    aim = game.aim
-    if game.notice is not None and game.notice.error:
-        return _noticed(game.notice, game, w), True
+    aim = session.aim
+    if session.notice is not None and session.notice.error:
+        return _noticed(session.notice, session, w), True
     if aim.wrong:
         faults = aim.faults
         return (why(faults[0], w, "wrong"), True) if faults else (w["wrong.mended"], True)
     if aim.shown_faults:
         return why(aim.shown_faults[0], w), True
-    if game.notice is not None:
-        return _noticed(game.notice, game, w), False
-    return w[prompts.hint(game) or "hint." + _situation(game)], False
+    if session.notice is not None:
+        return _noticed(session.notice, session, w), False
+    return w[prompts.hint(session) or "hint." + _situation(session)], False
 
 
-def _noticed(notice: Notice, game: Game, w: dict[str, str]) -> str:
-    names = {"law": w[f"law.{game.law}"], "engine": w[f"engine.{game.engine}"]}
+def _noticed(notice: Notice, session: Session, w: dict[str, str]) -> str:
+    names = {"law": w[f"law.{session.law}"], "engine": w[f"engine.{session.engine}"]}
     return w[f"notice.{notice.key}"].format(**names)
 
 
-def _situation(game: Game) -> str:
-    if game.paused:
+def _situation(session: Session) -> str:
+    if session.paused:
         return "paused"
-    if game.aim.box is not None:
-        return "last" if game.aim.box == len(BOXES) - 1 else "editing"
-    if game.moving:
+    if session.aim.box is not None:
+        return "last" if session.aim.box == len(BOXES) - 1 else "editing"
+    if session.moving:
         return "moving"
-    if game.aim.complete:
+    if session.aim.complete:
         return "ready"
-    return "rest" if game.shown_shot else "spent"
+    return "rest" if session.shown_shot else "spent"
 
 
 def _hint_look(sight: Sight) -> tuple[str, bool, bool]:
     """The line, whether it is an error, and whether it warns of what is done all the same."""
-    notice = sight.game.notice
-    return *hint(sight.game, sight.words), notice is not None and notice.key in WARNINGS
+    notice = sight.session.notice
+    return *hint(sight.session, sight.words), notice is not None and notice.key in WARNINGS
 
 
 def _hint_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -230,18 +230,18 @@ def _hint_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyga
 # -- engine and read-outs ------------------------------------------------------------------------
 
 
-def badge(game: Game, w: dict[str, str]) -> tuple[str, str]:
+def badge(session: Session, w: dict[str, str]) -> tuple[str, str]:
     """Engine and laws in use, and the table."""
-    table = w.get("table." + game.table) or w["position." + game.table]
-    if getattr(game.world.cushion_law, "creates_energy", False):
+    table = w.get("table." + session.table) or w["position." + session.table]
+    if getattr(session.world.cushion_law, "creates_energy", False):
         table = f"{w['law.creates']} · {table}"
-    return f"{w['engine.' + game.engine]} · {w['law.' + game.law]}", table
+    return f"{w['engine.' + session.engine]} · {w['law.' + session.law]}", table
 
 
-def _short_badge(game: Game, w: dict[str, str]) -> str:
+def _short_badge(session: Session, w: dict[str, str]) -> str:
     """Engine and laws where there is little room: neither is left out."""
-    law = w.get(f"set.law.{game.law}") or w[f"law.{game.law}"]
-    return f"{w['engine.short.' + game.engine]} · {law}"
+    law = w.get(f"set.law.{session.law}") or w[f"law.{session.law}"]
+    return f"{w['engine.short.' + session.engine]} · {law}"
 
 
 TOOLS = {"menu": Action("sheet", "menu"), "mute": Action("mute"), "settings": Action("settings")}
@@ -258,14 +258,14 @@ def _tools(rect: pygame.Rect, sight: Sight) -> dict[str, pygame.Rect]:
 
 
 def _engine_key(sight: Sight) -> Hashable:
-    return badge(sight.game, sight.words), sight.preferences.audio.silent
+    return badge(sight.session, sight.words), sight.preferences.audio.silent
 
 
 def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
-    first, second = badge(sight.game, sight.words)
+    first, second = badge(sight.session, sight.words)
     kept = 24 * len(TOOLS)
     if sight.type.width(first, 13) > rect.w - (42 + kept) * sight.layout.s:
-        first = _short_badge(sight.game, sight.words)
+        first = _short_badge(sight.session, sight.words)
     cards.engine(surface, rect, sight.type, first, second, sight.words["corner"], kept=kept)
     pictures = {"mute": "silent" if sight.preferences.audio.silent else "sound"}
     for name, box in _tools(rect, sight).items():
@@ -283,13 +283,13 @@ def _engine_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 
 
 def _readouts_key(sight: Sight) -> Hashable:
-    return tuple(number(v) for v in sight.game.readout)
+    return tuple(number(v) for v in sight.session.readout)
 
 
 def _readouts_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     w = sight.words
     names = (w["read.v"], w["read.w"], w["read.wz"])
-    values = (number(v) for v in sight.game.readout)
+    values = (number(v) for v in sight.session.readout)
     items = [(name, value, w["unit.speed"]) for name, value in zip(names, values, strict=True)]
     return cards.readouts(surface, rect, sight.type, items)
 
