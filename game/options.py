@@ -77,7 +77,7 @@ def read(arguments: list[str] | None = None) -> Options:
     if wrong := contradiction(found):
         parser.error(wrong)
     if found.get("game", terms.FREE) != terms.FREE:
-        found.setdefault("table", terms.TABLES[found["game"]])
+        found.setdefault("table", terms.DISCIPLINES[found["game"]].table)
     return Options(**found, given=frozenset(found))
 
 
@@ -116,7 +116,7 @@ def asked(options: Options) -> terms.Terms:
     if not all(re.fullmatch(r"\d{1,9}", goal) for goal in goals):
         raise ValueError(f"a handicap is a whole number, not {options.handicap!r:.60}")
     seats = tuple(
-        terms.Seat(n.strip(), v, int(g)) for n, v, g in zip(names, levels, goals, strict=True)
+        terms.Contestant(n.strip(), v, int(g)) for n, v, g in zip(names, levels, goals, strict=True)
     )
     law, finish = options.law or "table", options.finish or terms.EXTRA_3C
     played_on = options.table, options.cloth, law, options.engine

@@ -28,7 +28,7 @@ TIE = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class Lane:
+class Travel:
     """A ball's time: (from, to, mean speed) of each leg on which it moved."""
 
     name: str
@@ -48,7 +48,7 @@ class Mark(NamedTuple):
 class Story:
     """What happened since a shot; times count from it, seconds."""
 
-    lanes: tuple[Lane, ...]
+    lanes: tuple[Travel, ...]
     events: tuple[Mark, ...]
     duration: float
 
@@ -57,7 +57,7 @@ Legs = dict[str, list[Leg]]
 
 
 @dataclass(frozen=True, slots=True)
-class Contact:
+class FirstContact:
     """The first ball the cue ball meets: where both are then, and where they leave to.
 
     overlap is the thickness, 0 to 1, negative when the cue ball passes on the left of the other;
@@ -90,7 +90,7 @@ class Preview:
     """
 
     story: Story
-    contact: Contact | None
+    contact: FirstContact | None
     way: tuple[Place, ...]
     beyond: tuple[Place, ...]
     bounces: tuple[tuple[Place, Place], ...]
@@ -158,7 +158,7 @@ def rests(world: World) -> bool:
 
 def _meeting(met: Mark, legs: Legs, since: float) -> Meeting:
     a, b = met.balls
-    p, q = (_turn(legs[name], since + met.time)[1].position for name in (a, b))
+    p, q = (_around(legs[name], since + met.time)[1].position for name in (a, b))
     return Meeting((a, b), (p, q))
 
 
@@ -177,12 +177,12 @@ def _bounces(
     for event in told.events:
         if event.kind == "cushion" and event.balls == (cue,) and event.time <= until:
             out = -normals[event.wall]
-            at = _turn(legs, since + event.time)[1].position
+            at = _around(legs, since + event.time)[1].position
             found.append((at, (out.real, out.imag)))
     return tuple(found)
 
 
-def _turn(legs: list[Leg], time: float) -> tuple[State, State]:
+def _around(legs: list[Leg], time: float) -> tuple[State, State]:
     """A ball just before and just after something happened to it, at a world time."""
     index = min(range(len(legs)), key=lambda i: abs(legs[i].time - time))
     before, leg = legs[max(index - 1, 0)], legs[index]
@@ -204,7 +204,8 @@ def _story(log: Log, legs: Legs, since: float, now: float) -> Story:
     for name in log.names:
         own = legs[name]
         moved = _moved(own, since, now)
-        lanes.append(Lane(name, tuple((a - since, b - since, _pace(g, a, b)) for g, a, b in moved)))
+        spans = tuple((a - since, b - since, _pace(g, a, b)) for g, a, b in moved)
+        lanes.append(Travel(name, spans))
         rests = (leg.time for leg in own[1:] if leg.velocity == leg.roll == leg.acceleration == 0j)
         events += [Mark(time - since, "rest", (name,)) for time in rests]
     events.sort(key=lambda mark: mark.time)
@@ -267,10 +268,10 @@ def _points(leg: Leg, a: float, b: float) -> list[Place]:
     return [(p.real, p.imag) for p in spots]
 
 
-def _contact(met: Mark, legs: Legs, cue: str, since: float, world: World) -> Contact:
+def _contact(met: Mark, legs: Legs, cue: str, since: float, world: World) -> FirstContact:
     ball = next(name for name in met.balls if name != cue)
-    own, left = _turn(legs[cue], since + met.time)
-    other, sent = _turn(legs[ball], since + met.time)
+    own, left = _around(legs[cue], since + met.time)
+    other, sent = _around(legs[ball], since + met.time)
     line = complex(other.position[0] - own.position[0], other.position[1] - own.position[1])
     way = complex(*own.velocity) - complex(*other.velocity)
     turn = phase(line / way) if way else 0.0
@@ -278,4 +279,4 @@ def _contact(met: Mark, legs: Legs, cue: str, since: float, world: World) -> Con
     overlap = 1.0 - aside / world.ball(cue).touching_distance(world.ball(ball))
     leaves = left.velocity, sent.velocity
     signed = -overlap if turn < 0 else overlap
-    return Contact(ball, own.position, other.position, leaves, signed, abs(degrees(turn)))
+    return FirstContact(ball, own.position, other.position, leaves, signed, abs(degrees(turn)))

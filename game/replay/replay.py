@@ -93,7 +93,7 @@ class Replay:
             )
             raise RecordError(f"{what} ({_why(error)})") from error
 
-    def roll(self, tick: int) -> None:
+    def play_to(self, tick: int) -> None:
         """Let time pass up to a tick at once; RecordError if that would take too long."""
         session, since = self.session, self.session.world.time
         while session.tick < tick:
@@ -154,10 +154,10 @@ def headless(record: Record, session: Session) -> Replay:
     replay = Replay(record, session)
     with excused(record.name, session):
         for tick, action in replay.due(record.last):
-            replay.roll(tick)
+            replay.play_to(tick)
             replay.before(action)
             replay.perform(action)
             replay.after()
-        replay.roll(record.last)
+        replay.play_to(record.last)
         replay.passed()
     return replay

@@ -26,7 +26,7 @@ class Key(NamedTuple):
     shift: Action | None = None
 
 
-class Row(NamedTuple):
+class HelpRow(NamedTuple):
     """A row of the page of keys.
 
     section  "play" "box" "aim" "time" "always"
@@ -66,7 +66,7 @@ class Command(NamedTuple):
     do: Callable[..., None]
     value: Value = NOTHING
     keys: tuple[Key, ...] = ()
-    rows: tuple[Row, ...] | None = None
+    rows: tuple[HelpRow, ...] | None = None
     own: bool = False
     kept: bool = False
     step: bool = True

@@ -18,7 +18,7 @@ from . import play_commands as play
 from . import table_commands as table
 from . import terms
 from .action import Action
-from .command import Command, Key, Row
+from .command import Command, HelpRow, Key
 from .session import Session
 from .values import (
     BOX_NUMBERS,
@@ -35,6 +35,7 @@ from .values import (
 LAST = 99
 """Place of a row that has not been given any."""
 PAGES = ("", "settings", "menu", "shelf", "rules", "ask")
+"""What may lie over the table: "ask" is a question alone."""
 
 
 def perform(session: Session, action: Action, player: object = None) -> None:
@@ -95,91 +96,95 @@ _KEY = text("KEY")
 _WAY = whole("WAY", -1, 1)
 TABLE = (
     Command("edit", play.edit_box, whole("BOX", 0, len(BOXES) - 1), (Key("left", 0), Key("tab", 0)),
-            (Row("play", 1, "@edit 0", "help.left"), Row("box", 5, "Tab, Shift", "help.tab")),
-            aims=True),
+            (HelpRow("play", 1, "@edit 0", "help.left"),
+             HelpRow("box", 5, "Tab, Shift", "help.tab")), aims=True),
     Command("clear", play.clear, keys=(Key("right"),),
-            rows=(Row("play", 2, "@clear", "help.right"),), aims=True),
+            rows=(HelpRow("play", 2, "@clear", "help.right"),), aims=True),
     Command("place", table.place, keys=(Key("down"),),
-            rows=(Row("play", 6, "@place", "help.down"),)),
+            rows=(HelpRow("play", 6, "@place", "help.down"),)),
     Command("stop", play.stop, keys=(Key("space"),),
-            rows=(Row("play", 7, "@stop", "help.space"),), hurries=True),
+            rows=(HelpRow("play", 7, "@stop", "help.space"),), hurries=True),
     Command("shoot", play.shoot, keys=(Key("return"), Key("kp_enter")),
-            rows=(Row("play", 4, "name.enter", "help.return"),), hurries=True),
-    Command("pause", play.pause, keys=(Key("p"),), rows=(Row("time", 1, "@pause", "help.pause"),),
-            step=False),
+            rows=(HelpRow("play", 4, "name.enter", "help.return"),), hurries=True),
+    Command("pause", play.pause, keys=(Key("p"),), step=False,
+            rows=(HelpRow("time", 1, "@pause", "help.pause"),)),
     Command("frame", play.frame, keys=(Key("period", shift=Action("event", 1)),),
-            rows=(Row("time", 3, "@back @frame", "help.frame"),), step=False, repeats=True),
+            rows=(HelpRow("time", 3, "@back @frame", "help.frame"),), step=False, repeats=True),
     Command("engine", table.said(table.use_engine, "engine"), one_of("KEY", presets.ENGINES),
-            (Key("e"),), (Row("play", 9, "@engine", "help.engine"),), kept=True,
+            (Key("e"),), (HelpRow("play", 9, "@engine", "help.engine"),), kept=True,
             ends_match="terms"),
     Command("law", table.said(table.use_law, "law"), one_of("KEY", presets.LAWS), (Key("l"),),
-            (Row("play", 10, "@law", "help.law"),), kept=True, ends_match="terms"),
-    Command("retry", play.retry, keys=(Key("r"),), rows=(Row("play", 8, "@retry", "help.retry"),)),
-    Command("aids", _own("aids"), _KEY, (Key("a"),), (Row("aim", 8, "@aids", "help.aids"),),
+            (HelpRow("play", 10, "@law", "help.law"),), kept=True, ends_match="terms"),
+    Command("retry", play.retry, keys=(Key("r"),),
+            rows=(HelpRow("play", 8, "@retry", "help.retry"),)),
+    Command("aids", _own("aids"), _KEY, (Key("a"),), (HelpRow("aim", 8, "@aids", "help.aids"),),
             own=True),
     Command("mute", _own("mute"), keys=(Key("m"),), own=True,
-            rows=(Row("always", 7, "@mute", "key.mute"),)),
+            rows=(HelpRow("always", 7, "@mute", "key.mute"),)),
     Command("skip", play.skip, keys=(Key("end"),), step=False, hurries=True,
-            rows=(Row("time", 5, "@home @skip", "help.skip"),)),
+            rows=(HelpRow("time", 5, "@home @skip", "help.skip"),)),
     Command("home", play.home, keys=(Key("home"),), rows=(), step=False),
     Command("back", play.back, keys=(Key("comma", shift=Action("event", -1)),), rows=(), step=False,
             repeats=True),
     Command("faster", play.faster, whole("STEPS", -MOST_STEPS, MOST_STEPS),
             (Key("leftbracket", -1), Key("rightbracket", 1)),
-            (Row("time", 2, "@faster -1 @faster 1", "help.rate"),), step=False),
+            (HelpRow("time", 2, "@faster -1 @faster 1", "help.rate"),), step=False),
     Command("undo", play.undo, keys=(Key("z", shift=Action("redo")),),
-            rows=(Row("time", 6, "@undo @redo", "help.undo"),), step=False),
+            rows=(HelpRow("time", 6, "@undo @redo", "help.undo"),), step=False),
     Command("redo", play.redo, keys=(Key("y"),), rows=(), step=False),
     _aims("turn", edit.turn, numbers("DEGREES", 1), (Key("q", "1"), Key("w", "-1")),
-          (Row("aim", 1, "@turn 1 @turn -1", "help.turn"),
-           Row("aim", 2, "Shift Ctrl+← →", "help.finer")), repeats=True, finer=("0.1", "0.01")),
+          (HelpRow("aim", 1, "@turn 1 @turn -1", "help.turn"),
+           HelpRow("aim", 2, "Shift Ctrl+← →", "help.finer")), repeats=True, finer=("0.1", "0.01")),
     _aims("push", edit.push, numbers("SPEED", 1), (Key("pageup", "0.5"), Key("pagedown", "-0.5")),
-          (Row("aim", 3, "@push 0.5 @push -0.5", "help.push"),), repeats=True,
+          (HelpRow("aim", 3, "@push 0.5 @push -0.5", "help.push"),), repeats=True,
           finer=("0.1", "0.01")),
     Command("thicker", play.past(lambda now, way: thickness.neighbour(now, -way)), _WAY,
             (Key("t", 1, shift=Action("thicker", -1)),),
-            (Row("aim", 7, "@thicker 1", "help.thick"),), aims=True),
-    _aims("centre", edit.centre, keys=(Key("c"),), rows=(Row("aim", 6, "@centre", "help.centre"),)),
+            (HelpRow("aim", 7, "@thicker 1", "help.thick"),), aims=True),
+    _aims("centre", edit.centre, keys=(Key("c"),),
+          rows=(HelpRow("aim", 6, "@centre", "help.centre"),)),
     Command("fan", _own("fan"), keys=(Key("f"),), own=True,
-            rows=(Row("aim", 9, "@fan", "help.fan"),)),
+            rows=(HelpRow("aim", 9, "@fan", "help.fan"),)),
     Command("both", _own("both"), keys=(Key("n"),), own=True,
-            rows=(Row("always", 8, "@both", "key.both"),)),
+            rows=(HelpRow("always", 8, "@both", "key.both"),)),
     Command("arrange", table.arrange, keys=(Key("b"),),
-            rows=(Row("play", 11, "@arrange", "key.arrange"),)),
+            rows=(HelpRow("play", 11, "@arrange", "key.arrange"),)),
     Command("help", table.keys, keys=(Key("f1", always=True),),
-            rows=(Row("always", 1, "@help", "help.help"),), keeps_notice=True),
+            rows=(HelpRow("always", 1, "@help", "help.help"),), keeps_notice=True),
     Command("language", table.language, one_of("KEY", LANGUAGES), (Key("f2", always=True),),
-            (Row("always", 2, "@language", "help.language"),), kept=True, keeps_notice=True),
+            (HelpRow("always", 2, "@language", "help.language"),), kept=True, keeps_notice=True),
     Command("settings", table.settings, keys=(Key("f3", always=True),),
-            rows=(Row("always", 3, "@settings", "key.settings"),), keeps_notice=True),
+            rows=(HelpRow("always", 3, "@settings", "key.settings"),), keeps_notice=True),
     Command("sheet", table.page, one_of("PAGE", PAGES),
             (Key("f4", "shelf", always=True), Key("f5", "rules", always=True),
              Key("f10", "menu", always=True), Key("escape", "menu")),
-            (Row("always", 4, "@sheet shelf", "key.sheet shelf"),
-             Row("always", 5, "@sheet rules", "key.sheet rules"),
-             Row("always", 6, "@sheet menu", "key.sheet menu")), keeps_notice=True),
+            (HelpRow("always", 4, "@sheet shelf", "key.sheet shelf"),
+             HelpRow("always", 5, "@sheet rules", "key.sheet rules"),
+             HelpRow("always", 6, "@sheet menu", "key.sheet menu")), keeps_notice=True),
     # what no key does that a player could choose
     Command("type", play.type_into, text("TEXT"),
-            rows=(Row("play", 3, "name.digits", "help.digit"),), aims=True),
-    Command("enter", play.enter, rows=(Row("box", 1, "name.enter", "help.next"),), aims=True),
-    Command("erase", play.in_box(Aim.erase), rows=(Row("box", 2, "name.back", "help.back"),),
+            rows=(HelpRow("play", 3, "name.digits", "help.digit"),), aims=True),
+    Command("enter", play.enter, rows=(HelpRow("box", 1, "name.enter", "help.next"),), aims=True),
+    Command("erase", play.in_box(Aim.erase), rows=(HelpRow("box", 2, "name.back", "help.back"),),
             aims=True, repeats=True),
     Command("delete", play.in_box(Aim.delete), aims=True, repeats=True),
     Command("caret", play.in_box(Aim.go), PLACE,
-            rows=(Row("box", 3, "← → Home End", "help.caret"),
-                  Row("box", 4, "Ctrl+A C X V", "help.paste")), aims=True, repeats=True),
-    Command("leave", play.in_box(Aim.leave), rows=(Row("box", 6, "Esc", "help.esc"),), aims=True),
-    Command("fire", play.fire, rows=(Row("play", 5, "Ctrl+Enter", "help.ctrl"),), hurries=True),
+            rows=(HelpRow("box", 3, "← → Home End", "help.caret"),
+                  HelpRow("box", 4, "Ctrl+A C X V", "help.paste")), aims=True, repeats=True),
+    Command("leave", play.in_box(Aim.leave), aims=True,
+            rows=(HelpRow("box", 6, "Esc", "help.esc"),)),
+    Command("fire", play.fire, hurries=True,
+            rows=(HelpRow("play", 5, "Ctrl+Enter", "help.ctrl"),)),
     Command("event", play.event, _WAY, step=False,
-            rows=(Row("time", 4, "Shift+@back @frame", "help.event"),)),
+            rows=(HelpRow("time", 4, "Shift+@back @frame", "help.event"),)),
     Command("scrub", play.seek, whole("TICKS", 0, FARTHEST), step=False),
     _aims("set", edit.put, BOX_NUMBERS),
     _aims("power", edit.power, numbers("SPEED", 1)),
     _aims("tip", edit.tip, numbers('"RIGHT UP"', 2), repeats=True),
     _aims("nudge", edit.nudge, numbers('"RIGHT UP"', 2), repeats=True,
-          rows=(Row("aim", 4, "Alt+← → ↑ ↓", "help.tip"),)),
+          rows=(HelpRow("aim", 4, "Alt+← → ↑ ↓", "help.tip"),)),
     _aims("tilt", edit.tilt, numbers("DEGREES", 1), repeats=True,
-          rows=(Row("aim", 5, "Alt+PgUp PgDn", "help.tilt"),)),
+          rows=(HelpRow("aim", 5, "Alt+PgUp PgDn", "help.tilt"),)),
     _aims("elevate", edit.elevate, numbers("DEGREES", 1)),
     Command("thick", play.past(lambda now, eighths: eighths), whole("EIGHTHS", -7, 7), aims=True),
     Command("next", play.show_next, keeps_notice=True, hurries=True),
@@ -187,7 +192,8 @@ TABLE = (
     Command("play", play.play, _SHOT),
     Command("hold", table.hold, text("BALL")),
     Command("move", table.move, numbers('"X Y"', 2), drags=True),
-    Command("match", table.match, line("TERMS", terms.read, "a fixture"), ends_match="begun"),
+    Command("match", table.match, line("TERMS", terms.read, "the terms of a match"),
+            ends_match="begun"),
     Command("line", table.line, line("LINE", lineup.read, "a set-up"), ends_match="always"),
     Command("scene", table.scene, one_of("NAME", presets.SCENES, needed=True), ends_match="always"),
     Command("cloth", table.use_cloth, one_of("KEY", presets.CLOTHS), kept=True, ends_match="terms"),
@@ -208,19 +214,19 @@ Action.__doc__ = (
 )
 
 
-def rows() -> dict[str, list[Row]]:
+def rows() -> dict[str, list[HelpRow]]:
     """The rows of the page of keys by their sections, in their order."""
-    found: dict[str, list[Row]] = {}
+    found: dict[str, list[HelpRow]] = {}
     for row in sorted(_rows(), key=lambda row: row.place):
         found.setdefault(row.section, []).append(row)
     return found
 
 
-def _rows() -> Iterator[Row]:
+def _rows() -> Iterator[HelpRow]:
     for command in TABLE:
         if command.rows is not None:
             yield from command.rows
             continue
         for key in command.keys:
             ident = Action(command.name, key.value).ident
-            yield Row("always" if key.always else "play", LAST, f"@{ident}", f"key.{ident}")
+            yield HelpRow("always" if key.always else "play", LAST, f"@{ident}", f"key.{ident}")

@@ -25,7 +25,7 @@ def spot(world: World, spots: World) -> bool:
     return bool(gone)
 
 
-def roll(world: World, dt: float) -> str:
+def step(world: World, dt: float) -> str:
     """Let the balls roll for `dt` seconds; returns why they cannot: "budget" "failed", or "".
 
     After "failed" the world is as the engine has left it.

@@ -263,7 +263,7 @@ class Session:
         """Let the balls roll for `dt` seconds; an engine that fails stops them, and says so."""
         before = len(self.world.log)
         self.calls += 1
-        if trouble := moves.roll(self.world, dt):
+        if trouble := moves.step(self.world, dt):
             if trouble == "failed":
                 self.put(self.lies)
             self.world.stop()

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field, fields
-from typing import Any
+from typing import Any, NamedTuple
 
 from danggu.players.levels import LEVELS, Level
 from danggu.players.positions import SAGU, THREE_CUSHION, opening
@@ -17,10 +18,6 @@ from physics import Ball, World
 
 FREE, FOUR_BALL = "free", "four-ball"
 GAMES = (*RULES,)
-KEYS = {FOUR_BALL: SAGU, "three-cushion": THREE_CUSHION}
-"""What the rules call the games."""
-TABLES = {FREE: "medium", FOUR_BALL: "medium", "three-cushion": "match"}
-"""The table each game is played on unless another one is asked for."""
 HUMAN = "human"
 SKILLS: dict[str, Level] = {level.key: level for level in LEVELS}
 SEATS = (HUMAN, *SKILLS)
@@ -34,8 +31,8 @@ START = ("2.5", "0", "0", "0")
 
 
 @dataclass(frozen=True, slots=True)
-class Seat:
-    """Somebody who plays: a name ("" for the usual one), human or a level, a handicap (수지)."""
+class Contestant:
+    """A player: a name ("" for the usual one), human or a level, a handicap (수지)."""
 
     name: str = ""
     level: str = HUMAN
@@ -52,16 +49,31 @@ class Seat:
             raise ValueError(f"a handicap is 1 to {MOST_POINTS}, not {self.target!r:.60}")
 
 
+class Discipline(NamedTuple):
+    """What the program knows of a game beside its rules.
+
+    table     the one that it is played on unless another one is asked for
+    position  its opening, as `players.positions` calls the game
+    house     the fields of `Terms` that are its house rules
+    rules     makes its rules of terms
+    """
+
+    table: str
+    position: str = ""
+    house: tuple[str, ...] = ()
+    rules: Callable[[Terms], Rules] | None = None
+
+
 @dataclass(frozen=True, slots=True)
 class Terms:
     """A game, its players and its table; ValueError for what cannot be played.
 
-    `finish`, `penalty` and `floor` are house rules of 4-ball, `bank` and `red_first` of
-    three-cushion.  "table" as a cloth or a law is the one that the table comes with.
+    "table" as a cloth or a law is the one that the table comes with; the house rules of other games
+    than the one played mean nothing.
     """
 
     game: str = FREE
-    seats: tuple[Seat, ...] = field(default_factory=lambda: (Seat(), Seat()))
+    seats: tuple[Contestant, ...] = field(default_factory=lambda: (Contestant(), Contestant()))
     table: str = "medium"
     cloth: str = "table"
     law: str = "table"
@@ -88,11 +100,10 @@ class Terms:
     @property
     def rules(self) -> Rules:
         """The rules of the game; ValueError for the free table, which has none."""
-        if self.game == FREE:
+        make = DISCIPLINES[self.game].rules
+        if make is None:
             raise ValueError("the free table has no rules")
-        if self.game == FOUR_BALL:
-            return sagu.Sagu(self.finish, self.penalty, floor_zero=self.floor)
-        return carom.Carom(3, self.bank, self.red_first)
+        return make(self)
 
     def match(self) -> Match:
         """The match before its first stroke."""
@@ -103,7 +114,7 @@ class Terms:
         if self.game == FREE:
             return presets.table_world(self.table)
         kind = presets.TABLES[self.table]
-        spots = opening(KEYS[self.game]).on(kind.length, kind.width)
+        spots = opening(DISCIPLINES[self.game].position).on(kind.length, kind.width)
         world = kind.world()
         for name in self.rules.balls:
             world.add(Ball(name, spots[name], radius=kind.radius, mass=kind.mass))
@@ -114,20 +125,38 @@ class Terms:
         return json.dumps(asdict(self), ensure_ascii=False, separators=(",", ":"))
 
 
+DISCIPLINES = {
+    FREE: Discipline("medium"),
+    FOUR_BALL: Discipline(
+        "medium",
+        SAGU,
+        ("finish", "penalty", "floor"),
+        lambda terms: sagu.Sagu(terms.finish, terms.penalty, floor_zero=terms.floor),
+    ),
+    "three-cushion": Discipline(
+        "match",
+        THREE_CUSHION,
+        ("bank", "red_first"),
+        lambda terms: carom.Carom(3, terms.bank, terms.red_first),
+    ),
+}
+"""By the names that `danggu.rules.GAMES` gives the games."""
+
+
 def read(line: str) -> Terms:
     """What `Terms.line` has written; ValueError, saying what is wrong, for anything else."""
     try:
         data = json.loads(line)
     except (ValueError, RecursionError):
-        raise ValueError("a fixture is written as JSON") from None
+        raise ValueError("the terms of a match are written as JSON") from None
     if not isinstance(data, dict) or not isinstance(data.get("seats", []), list):
-        raise ValueError("a fixture is an object with a list of seats")
+        raise ValueError("the terms of a match are an object with a list of seats")
     unknown = set(data) - {f.name for f in fields(Terms)}
     if unknown:
-        raise ValueError(f"a fixture has no {min(unknown)!r:.60}")
+        raise ValueError(f"the terms of a match have no {min(unknown)!r:.60}")
     try:
         if "seats" in data:
-            data["seats"] = tuple(Seat(**seat) for seat in data["seats"])
+            data["seats"] = tuple(Contestant(**seat) for seat in data["seats"])
         return Terms(**data)
     except TypeError as error:
-        raise ValueError(f"no such fixture: {error}") from None
+        raise ValueError(f"no such terms: {error}") from None

@@ -16,16 +16,17 @@ from game.render.layout import Layout
 from game.session.action import Action
 from game.session.session import Session
 from game.settings.preferences import Preferences
+from game.ui.sight import Sight
 
 from .pages import help as keys_page
 from .pages import question
-from .pages.menu import Menu
+from .pages.menu import MenuPage
 from .pages.page_parts import Page
 from .pages.question import Question
-from .pages.rules_page import Rules
-from .pages.settings_page import Sheet
-from .pages.shelf import Shelf
-from .panels.parts import Part, Sight, fixed_parts
+from .pages.rules_page import RulesPage
+from .pages.settings_page import SettingsPage
+from .pages.shelf import ShelfPage
+from .panels.parts import Panel, fixed_parts
 from .panels.shot_panels import shot_parts
 from .table.marks import aiming
 from .table.stage import Stage
@@ -49,8 +50,8 @@ class View:
     ) -> None:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
         self.pages: dict[str, Page] = {
-            "settings": Sheet(), "menu": Menu(), "shelf": Shelf(), "rules": Rules(),
-            "ask": question.Table(),
+            "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
+            "rules": RulesPage(), "ask": question.QuestionPage(),
         }  # fmt: skip
         self.composition = Composition()
         self.question: Question | None = None
@@ -237,7 +238,7 @@ class View:
         surface.blit(self.stage.base, column, column)
         return [column]
 
-    def _shown(self) -> list[Part]:
+    def _shown(self) -> list[Panel]:
         return [p for p in self.parts if p.mode in ("", self._mode)]
 
     # -- the mouse -----------------------------------------------------------------------------
@@ -283,5 +284,5 @@ class View:
                 return part.wheel(steps, self.sight)
         return None
 
-    def _at(self, at: tuple[int, int]) -> Part | None:
+    def _at(self, at: tuple[int, int]) -> Panel | None:
         return next((p for p in self._shown() if p.rect.collidepoint(at)), None)

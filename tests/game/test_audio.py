@@ -78,11 +78,11 @@ def test_the_rumble_runs_on_from_its_end_to_its_beginning(bank):
 
 
 def test_a_closing_speed_gets_the_nearest_level_by_ratio():
-    assert [synth.level(v) for v in synth.SPEEDS] == list(range(8))
-    assert synth.level(0.0) == 0
-    assert synth.level(50.0) == 7
-    assert synth.level(0.1 * 1.4) == 1
-    assert synth.level(0.1 * 1.45) == 2
+    assert [synth.loudness(v) for v in synth.SPEEDS] == list(range(8))
+    assert synth.loudness(0.0) == 0
+    assert synth.loudness(50.0) == 7
+    assert synth.loudness(0.1 * 1.4) == 1
+    assert synth.loudness(0.1 * 1.45) == 2
 
 
 def test_pan_keeps_the_power_and_the_left_end_is_louder_on_the_left():

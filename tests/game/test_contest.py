@@ -17,13 +17,13 @@ from game.session.action import Action
 from game.session.commands import perform
 from game.session.running_match import Contest
 from game.session.session import Notice, Session
-from game.session.terms import FOUR_BALL, Seat, Terms
+from game.session.terms import FOUR_BALL, Contestant, Terms
 from game.table import presets
 from game.text import LANGUAGES
 from game.ui.panels.score_plates import reason
 
-TWO = (Seat("Ann"), Seat("Bo"))
-ONE_POINT = (Seat("Ann", target=1), Seat("Bo", target=3))
+TWO = (Contestant("Ann"), Contestant("Bo"))
+ONE_POINT = (Contestant("Ann", target=1), Contestant("Bo", target=3))
 
 
 def a_match(game=FOUR_BALL, seats=TWO, **rules):
@@ -270,11 +270,11 @@ def test_every_reason_is_said_in_both_languages_with_its_number(why, language):
     assert "{" not in said
 
 
-# -- fixtures ------------------------------------------------------------------------------------
+# -- terms ---------------------------------------------------------------------------------------
 
 
-def test_a_fixture_is_read_back_as_it_was_written():
-    seats = (Seat("김 사구", "expert", 25), Seat("", "human", 3))
+def test_terms_are_read_back_as_they_were_written():
+    seats = (Contestant("김 사구", "expert", 25), Contestant("", "human", 3))
     one = Terms("three-cushion", seats, "match", "worn", "thesis", bank=2, red_first=False)
     assert terms.read(one.line()) == one
     assert "\n" not in one.line()
@@ -298,12 +298,12 @@ WRONG = [
 
 
 @pytest.mark.parametrize(("line", "blamed"), WRONG)
-def test_a_fixture_that_cannot_be_played_says_why(line, blamed):
+def test_terms_that_cannot_be_played_say_why(line, blamed):
     with pytest.raises(ValueError, match=blamed):
         terms.read(line)
 
 
-def test_every_fixture_of_the_menu_begins():
+def test_all_terms_of_the_menu_begin():
     for name in terms.GAMES:
         for table in presets.TABLES:
             for cloth in presets.CLOTHS:

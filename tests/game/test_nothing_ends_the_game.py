@@ -11,7 +11,7 @@ from game.aim.preview import rests
 from game.session.action import Action
 from game.session.commands import perform
 from game.session.session import Notice, Session
-from game.session.terms import FOUR_BALL, Seat, Terms
+from game.session.terms import FOUR_BALL, Contestant, Terms
 from game.session.ticks import TICKS
 from game.table import presets
 from game.table.presets import scene_world, table_world
@@ -159,7 +159,7 @@ def test_what_never_ends_has_no_preview_and_is_not_skipped_for_ever():
 
 def test_what_the_computer_struck_is_done_again_though_the_boxes_could_not_be_read():
     session = Session(table_world("medium"))
-    do(session, ("match", Terms(FOUR_BALL, (Seat(), Seat())).line()))
+    do(session, ("match", Terms(FOUR_BALL, (Contestant(), Contestant())).line()))
     do(session, "edit", ("type", "-"), ("play", "2 0 0 0 10"), "skip")
     lies = session.world.layout()
     do(session, "undo", "redo")

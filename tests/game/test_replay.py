@@ -14,7 +14,7 @@ from game.replay.recorder import Recorder
 from game.replay.replay import Replay, headless
 from game.session.action import Action
 from game.session.commands import perform
-from game.session.terms import FOUR_BALL, SEATS, Seat, Terms
+from game.session.terms import FOUR_BALL, SEATS, Contestant, Terms
 from tests.support.players import FRAME, press, write
 from tests.support.records import OPTIONS, lines, recorded, replayed, rewritten, shown
 
@@ -139,7 +139,7 @@ def test_the_present_is_caught_up_with_at_the_same_tick_at_every_frame_rate():
 def test_a_match_against_the_computer_is_replayed_without_its_thinking(tmp_path, monkeypatch):
     path, session = tmp_path / "game.rec", new_game(OPTIONS)
     app = App(session, OPTIONS, journal=Recorder(str(path), OPTIONS, session))
-    seats = (Seat(), Seat(level=SEATS[1]))
+    seats = (Contestant(), Contestant(level=SEATS[1]))
     app.perform(Action("match", Terms(FOUR_BALL, seats).line()))
     for _ in range(6):
         press(app, "return")

@@ -207,7 +207,7 @@ def test_the_menu_begins_the_match_that_the_command_line_asked_for():
     assert app.view.page.terms.engine == "exact"
 
 
-def test_a_fixture_names_its_engine_and_a_line_without_one_is_exact():
+def test_terms_name_their_engine_and_a_line_without_one_is_exact():
     line = Terms(FOUR_BALL, engine="thesis").line()
     assert read(line).engine == "thesis"
     old = {key: value for key, value in json.loads(line).items() if key != "engine"}

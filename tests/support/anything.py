@@ -22,7 +22,7 @@ from game.app import App
 from game.input.key_tables import NAMES
 from game.replay.script import parse
 from game.session.action import Action
-from game.session.terms import GAMES, SEATS, Seat, Terms
+from game.session.terms import GAMES, SEATS, Contestant, Terms
 from game.session.ticks import TICKS
 from game.settings.settings import CHOICES
 from game.table import presets
@@ -153,7 +153,7 @@ class Anybody:
 
     def _elsewhere(self) -> Action:
         rng = self.rng
-        seats = tuple(Seat("", rng.choice(SEATS), rng.randrange(1, 4)) for _ in range(2))
+        seats = tuple(Contestant("", rng.choice(SEATS), rng.randrange(1, 4)) for _ in range(2))
         terms = Terms(rng.choice(GAMES), seats)
         return rng.choice((
             Action("table", rng.choice(tuple(presets.TABLES))),

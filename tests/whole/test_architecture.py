@@ -13,7 +13,11 @@ ROOT = Path(__file__).parents[2]
 PACKAGES = ("physics", "danggu", "game")
 SOURCES = sorted(p for part in (*PACKAGES, "assets") for p in (ROOT / part).rglob("*.py"))
 # from what knows least to what may know all
-LAYERS = ("assets", "physics.kernel", "physics", "danggu.rules", "danggu.players", "danggu", "game")
+LAYERS = (
+    "assets", "physics.kernel", "physics", "danggu.rules", "danggu.players", "danggu", "game",
+    "game.ui.sight", "game.ui.table", "game.ui.panels", "game.ui.pages", "game.ui.view",
+    "game.ui.layers", "game.ui.watching", "game.app", "game.start", "game.__main__",
+)  # fmt: skip
 # function: why it may be longer than 40 lines
 LONG: dict[str, str] = {}
 
@@ -107,11 +111,18 @@ def test_functions_and_files_stay_small_enough_to_read(path):
             assert lines <= 40 or node.name in LONG, f"{node.name} has {lines} lines"
 
 
-def test_no_module_of_physics_imports_itself_in_a_circle():
-    graph = {dotted(p): needed(p) for p in SOURCES if p.is_relative_to(ROOT / "physics")}
-    # these name the world for the type checker only
-    for name in ("engines.exact", "watch", "files.record"):
-        graph[f"physics.{name}"] -= {"physics.world"}
+# these name the world for the type checker only
+EXCUSED = {
+    f"physics.{name}": {"physics.world"} for name in ("engines.exact", "watch", "files.record")
+}
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_no_module_imports_itself_in_a_circle_not_even_for_types_or_in_a_function(package):
+    graph = {dotted(p): needed(p) for p in SOURCES if p.is_relative_to(ROOT / package)}
+    for name, excused in EXCUSED.items():
+        if name in graph:
+            graph[name] -= excused
     done: set[str] = set()
 
     def visit(name: str, path: tuple[str, ...]) -> None:
@@ -123,6 +134,41 @@ def test_no_module_of_physics_imports_itself_in_a_circle():
 
     for name in graph:
         visit(name, ())
+
+
+def test_a_class_has_one_meaning_in_the_whole_program():
+    places: dict[str, list[str]] = {}
+    for path in SOURCES:
+        if path.name == "__main__.py":
+            continue
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.ClassDef):
+                places.setdefault(node.name, []).append(dotted(path))
+    assert {name for name, found in places.items() if len(found) > 1} == {"Aim", "Event"}
+
+
+WRITERS = {
+    f"game.session.{name}" for name in ("session", "commands", "play_commands", "table_commands")
+}
+BELOW = ("game.session", "game.aim", "game.table", "game.text")
+"""What a session is made of, and what these use."""
+
+
+def test_only_the_session_and_the_commands_write_to_it():
+    for path in SOURCES:
+        if dotted(path) in WRITERS:
+            continue
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
+                holders = ast.unparse(node.value).split(".")
+                assert "session" not in holders, f"{path}, line {node.lineno}"
+
+
+def test_the_parts_of_a_session_do_not_know_it():
+    parts = {m for m in MODULES if m.startswith(BELOW)} - WRITERS
+    for path in SOURCES:
+        if dotted(path) in parts:
+            assert not needed(path) & WRITERS, path
 
 
 def test_whatever_is_imported_is_required_by_an_extra_at_least():

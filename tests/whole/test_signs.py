@@ -13,7 +13,7 @@ from game.aim.preview import preview
 from game.app import App
 from game.input.captions import words
 from game.render.parts import gauges
-from game.render.table import light, turning
+from game.render.table import light, rotation
 from game.session.action import Action
 from game.session.commands import perform
 from game.session.session import Session
@@ -236,7 +236,7 @@ def test_the_aim_turns_left_on_the_screen_with_the_key_that_says_so(app):
 
 
 def test_a_ball_with_right_english_turns_anticlockwise_on_the_screen():
-    turn = turning.matrix(turning.turned((1.0, 0.0, 0.0, 0.0), (0.0, 0.0, 1.0), 0.5))
+    turn = rotation.matrix(rotation.rotated((1.0, 0.0, 0.0, 0.0), (0.0, 0.0, 1.0), 0.5))
     x, y = (turn @ np.array((1.0, 0.0, 0.0), np.float32))[:2]
     assert degrees(phase(complex(x, y))) == pytest.approx(degrees(0.5), rel=1e-5)
     normal, _ = light.normals(21, 10.0, 10.5)
@@ -246,7 +246,7 @@ def test_a_ball_with_right_english_turns_anticlockwise_on_the_screen():
 
 def test_a_rolling_ball_s_top_goes_the_way_it_rolls():
     world = played(Shot(1.0, 30.0, follow=1.0), 1e-3)
-    turn = turning.matrix(turning.turned((1.0, 0.0, 0.0, 0.0), world.ball("white").spin, 1e-3))
+    turn = rotation.matrix(rotation.rotated((1.0, 0.0, 0.0, 0.0), world.ball("white").spin, 1e-3))
     x, y, _ = turn @ np.array((0.0, 0.0, 1.0), np.float32)
     assert degrees(phase(complex(x, y))) == pytest.approx(30.0, abs=0.1)
     assert hypot(x, y) == pytest.approx(1e-3 / R, rel=0.01)

@@ -13,7 +13,7 @@ from game.render.layout import Layout
 from game.render.parts import shapes
 from game.render.theme import ACCENT, LINE_TRACK, PANEL, PANEL_RAISED, TEXT, TEXT_SOFT
 from game.session import commands
-from game.session.command import Row
+from game.session.command import HelpRow
 from game.text.keycap import cap_name
 
 ROW = 23
@@ -37,10 +37,10 @@ def column(layout: Layout) -> int:
     return round((panel(layout).w - 2 * PAD * layout.s) / len(COLUMNS))
 
 
-def rows(section: str) -> list[Row]:
+def rows(section: str) -> list[HelpRow]:
     """Return the rows of a section."""
     if section == "numbers":
-        return [Row(section, n, f"box.{box}", f"help.{box}") for n, box in enumerate(BOXES)]
+        return [HelpRow(section, n, f"box.{box}", f"help.{box}") for n, box in enumerate(BOXES)]
     return commands.rows()[section]
 
 

@@ -14,7 +14,7 @@ from game.render.parts import shapes
 from game.render.theme import ACCENT, LINE, LINE_INPUT, LINE_TRACK, PANEL, PANEL_RAISED, mix
 from game.session.action import Action
 from game.session.session import Session
-from game.ui.panels.parts import Sight
+from game.ui.sight import Sight
 
 WIDTH, HEIGHT = 1128, 568
 PAD = 28

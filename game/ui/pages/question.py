@@ -12,7 +12,7 @@ from game.render.parts import shapes
 from game.session.action import Action
 from game.session.commands import COMMANDS
 from game.session.session import Session
-from game.ui.panels.parts import Sight
+from game.ui.sight import Sight
 
 from . import page_parts
 
@@ -35,7 +35,7 @@ def due(action: Action, session: Session) -> bool:
             return bool(why)
 
 
-class Table:
+class QuestionPage:
     """The page of a question that is asked over the table: nothing but the question is on it."""
 
     typing = False

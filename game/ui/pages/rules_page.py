@@ -11,17 +11,18 @@ from game.render.parts import shapes
 from game.session.action import Action
 from game.session.session import Session
 from game.session.terms import GAMES
-from game.ui.panels.parts import Sight
+from game.text import LANGUAGES
+from game.ui.sight import Sight
 
 from . import page_parts
 
-RULES = {"free": 4, "four-ball": 7, "three-cushion": 8}
+RULES = {game: sum(key.startswith(f"rule.{game}.") for key in LANGUAGES["en"]) for game in GAMES}
 """How many rules each game has: "rule.free.1" and so on in the texts."""
 LINE, SPACE = 25, 9
 TAB = 34
 
 
-class Rules:
+class RulesPage:
     """Which game's page is open."""
 
     typing = False
@@ -65,7 +66,7 @@ class Rules:
     def _tabs(self, sight: Sight) -> list[pygame.Rect]:
         area, layout = page_parts.inside(sight.layout), sight.layout
         bar = pygame.Rect(area.x, area.y, area.w, layout.px(TAB))
-        return page_parts.row_of(bar, (1, 1, 1), layout.px(8))
+        return page_parts.row_of(bar, (1,) * len(GAMES), layout.px(8))
 
     def _spot(self, at: tuple[int, int], sight: Sight) -> str:
         if not page_parts.panel(sight.layout).collidepoint(at):

@@ -12,7 +12,7 @@ from game.settings.settings import CHOICES, LOUDEST, Settings
 from game.table.presets import LAWS
 
 
-class Row(NamedTuple):
+class SettingsRow(NamedTuple):
     """A row: `kind` is "choice", "switch", "slider" or "key"; `keys` are its choices."""
 
     name: str
@@ -23,23 +23,23 @@ class Row(NamedTuple):
 
 
 SWITCH = ("off", "on")
-CHOSEN: tuple[Row, ...] = (
-    Row("language", "choice", CHOICES["language"]),
-    Row("table", "choice", CHOICES["table"], gap=True),
-    Row("cloth", "choice", CHOICES["cloth"]),
-    Row("law", "choice", tuple(LAWS)),
-    Row("engine", "choice", CHOICES["engine"]),
-    Row("aids", "choice", CHOICES["aids"], gap=True),
-    Row("colours", "choice", CHOICES["colours"]),
-    Row("still", "switch", SWITCH),
-    Row("sound", "switch", SWITCH, gap=True),
-    Row("volume", "slider", tuple(str(n) for n in range(LOUDEST + 1))),
+CHOSEN: tuple[SettingsRow, ...] = (
+    SettingsRow("language", "choice", CHOICES["language"]),
+    SettingsRow("table", "choice", CHOICES["table"], gap=True),
+    SettingsRow("cloth", "choice", CHOICES["cloth"]),
+    SettingsRow("law", "choice", tuple(LAWS)),
+    SettingsRow("engine", "choice", CHOICES["engine"]),
+    SettingsRow("aids", "choice", CHOICES["aids"], gap=True),
+    SettingsRow("colours", "choice", CHOICES["colours"]),
+    SettingsRow("still", "switch", SWITCH),
+    SettingsRow("sound", "switch", SWITCH, gap=True),
+    SettingsRow("volume", "slider", tuple(str(n) for n in range(LOUDEST + 1))),
 )
-KEYS: tuple[Row, ...] = tuple(Row(name, "key") for name in DEFAULTS)
+KEYS: tuple[SettingsRow, ...] = tuple(SettingsRow(name, "key") for name in DEFAULTS)
 ROWS = CHOSEN + KEYS
 
 
-def current(row: Row, session: Session, settings: Settings) -> str:
+def current(row: SettingsRow, session: Session, settings: Settings) -> str:
     """Return which of a row's keys is chosen; of none ("own" laws, a scene) some other word."""
     if (command := COMMANDS.get(row.name)) and command.kept:
         return str(getattr(session, row.name))
@@ -50,7 +50,7 @@ def current(row: Row, session: Session, settings: Settings) -> str:
     return str(getattr(settings, row.name))
 
 
-def chosen(row: Row, key: str, now: str) -> Action | None:
+def chosen(row: SettingsRow, key: str, now: str) -> Action | None:
     """Return what makes `key` the choice of a row that is at `now`; None if it is already."""
     if key == now:
         return None
@@ -59,7 +59,7 @@ def chosen(row: Row, key: str, now: str) -> Action | None:
     return Action(row.name, int(key) if row.kind == "slider" else key)
 
 
-def beside(row: Row, now: str, step: int) -> str:
+def beside(row: SettingsRow, now: str, step: int) -> str:
     """Return the key `step` places on: round the end, but not on a slider."""
     if now not in row.keys:
         return row.keys[0]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Hashable
-from typing import NamedTuple
 
 import pygame
 
@@ -16,11 +15,11 @@ from game.session.session import Session
 from game.table import lineup
 from game.table.library import LONGEST_NAME, Library
 from game.table.lineup import MARK, LineError, Lineup
-from game.ui.panels.parts import Sight
+from game.ui.sight import Sight
 from game.window import clipboard
 
 from . import shelf_view
-from .shelf_view import BUTTONS, COLUMNS, GROUPS, Spot
+from .shelf_view import BUTTONS, COLUMNS, GROUPS, Card, ShelfLook, ShelfSpot
 
 STEPS = {
     pygame.K_LEFT: -1,
@@ -32,15 +31,7 @@ ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
 LONGEST = lineup.LONGEST_LINE
 
 
-class Card(NamedTuple):
-    """A set-up on show: what it is called, by a key of the texts or by the player."""
-
-    name: str
-    own: bool
-    lineup: Lineup
-
-
-class Shelf:
+class ShelfPage:
     """Which group is on show, what is in focus, and the text in the box below.
 
     `focus` counts the cards, then comes the box, then the buttons.
@@ -49,7 +40,7 @@ class Shelf:
     def __init__(self, library: Library | None = None) -> None:
         self.library = library or Library()
         self.group, self.focus = 0, 0
-        self.over = Spot("")
+        self.over = ShelfSpot("")
         self._field = TextField("", LONGEST)
         self.said: tuple[str, str] = ("", "")
         """Key of the texts and a word in it: what came of the last action."""
@@ -101,7 +92,10 @@ class Shelf:
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
         """Draw the shelf; returns its rectangle."""
-        return shelf_view.draw(surface, sight, self)
+        look = ShelfLook(
+            self.cards, self.group, self.focus, self.over, self.field, self.text, self.said
+        )
+        return shelf_view.draw(surface, sight, look)
 
     def handle(self, event: pygame.event.Event, sight: Sight) -> Action | None:
         """Return what an event means."""

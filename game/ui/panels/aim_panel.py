@@ -8,7 +8,7 @@ from math import atan2, degrees, hypot
 import pygame
 
 from game.aim.edit import STRONGEST, share, speed_at
-from game.aim.preview import Contact
+from game.aim.preview import FirstContact
 from game.aim.spread import ANGLE
 from game.aim.thickness import EIGHTHS
 from game.aim.tip import STEEPEST
@@ -17,10 +17,11 @@ from game.render.parts import cards, cue_card, gauges
 from game.render.theme import TEXT_SOFT
 from game.session.action import Action
 from game.settings.settings import CHOICES
+from game.ui.sight import Place, Sight
 from game.ui.table.drag_aim import stepped
 from game.ui.table.looks import look
 
-from .parts import Part, Place, Sight, number
+from .parts import Panel, number
 
 TICKS = (0, 0.5, 1, 2, 3, 4, 5, 6, 7, 8)
 """Speeds marked on the power bar, m/s."""
@@ -128,7 +129,7 @@ def power_wheel(steps: int, sight: Sight) -> Action:
 # -- thickness -----------------------------------------------------------------------------------
 
 
-def _contact(sight: Sight) -> Contact | None:
+def _contact(sight: Sight) -> FirstContact | None:
     seen = sight.session.preview if sight.settings.aids != "off" else None
     return seen.contact if seen else None
 
@@ -185,13 +186,13 @@ def eighths(overlap: float) -> str:
     return "<1/8" if n == 0 else str(n) if d == 1 else f"{n}/{d}"
 
 
-def parts(layout: Layout) -> list[Part]:
+def parts(layout: Layout) -> list[Panel]:
     """The cards, from the top."""
     tip = tip_key, tip_draw, tip_touch, True, "aim", 0, tip_wheel
     power = power_key, power_draw, power_touch, True, "aim", 0, power_wheel
     thickness = thickness_key, thickness_draw, thickness_touch, False, "aim", 0, thickness_wheel
     return [
-        Part("tip", layout.tip, *tip),
-        Part("power", layout.power, *power),
-        Part("thickness", layout.thickness, *thickness),
+        Panel("tip", layout.tip, *tip),
+        Panel("power", layout.power, *power),
+        Panel("thickness", layout.thickness, *thickness),
     ]

@@ -3,59 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import pygame
 
 from game.aim.entry import BOXES, MINUS, MOST, Fault, shown
-from game.aim.spread import Spread
-from game.input.captions import words
-from game.input.composing import Composition
-from game.input.pointer import Pointer
-from game.input.text_field import TextField
-from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts import cards, fields, icons
-from game.render.parts.text_line import Line
+from game.render.parts.text_line import TextLine
 from game.session.action import Action
 from game.session.session import Notice, Session
-from game.settings.preferences import Preferences
-from game.settings.settings import Settings
+from game.ui.sight import Place, Sight
 
 from . import prompts
 
-Place = tuple[float, float]
 WARNINGS = ("miscue",)
 """Notices of something that was put right, so that the shot can be played."""
-
-
-@dataclass(slots=True)
-class Sight:
-    """Everything a part draws from."""
-
-    session: Session
-    layout: Layout
-    type: Type
-    pointer: Pointer
-    preferences: Preferences
-    spread: Spread
-    mode: str = "aim"
-    """The right column: "aim" shows the next shot, "after" the last one."""
-    portrait: Callable[[int], pygame.Surface] | None = None
-    """The picture of a ball, by its place among the balls, for lists and plates."""
-    composition: Composition = field(default_factory=Composition)
-
-    @property
-    def words(self) -> dict[str, str]:
-        return words(self.session.language, self.preferences.keys.changed)
-
-    @property
-    def settings(self) -> Settings:
-        return self.preferences.settings
-
-    def line(self, edited: TextField) -> Line:
-        """How a text that is being edited looks."""
-        return Line(edited.text, edited.caret, edited.selection, self.composition.text)
 
 
 Key = Callable[[Sight], Hashable]
@@ -73,7 +36,7 @@ def _no_wheel(steps: int, sight: Sight) -> Action | None:
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class Panel:
     """A piece of the window.
 
     key: what its picture depends on; draw: paints it and returns what it touched; touch: what a
@@ -102,7 +65,7 @@ def number(value: float, places: int = 2) -> str:
 # -- the five boxes ------------------------------------------------------------------------------
 
 
-def box_part(index: int, rect: pygame.Rect) -> Part:
+def box_part(index: int, rect: pygame.Rect) -> Panel:
     """One of the five boxes."""
 
     def key(sight: Sight) -> Hashable:
@@ -119,7 +82,7 @@ def box_part(index: int, rect: pygame.Rect) -> Part:
     def touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
         return _box_touch(index, at, rect, sight)
 
-    return Part(f"box {index}", rect, key, draw, touch, spill=4)
+    return Panel(f"box {index}", rect, key, draw, touch, spill=4)
 
 
 def _label(box: str, w: dict[str, str]) -> str:
@@ -140,10 +103,10 @@ def _unit(index: int, w: dict[str, str]) -> str:
     return w["unit.angle" if BOXES[index] == "angle" else "unit.speed"]
 
 
-def _box_look(index: int, sight: Sight) -> tuple[Line, str]:
+def _box_look(index: int, sight: Sight) -> tuple[TextLine, str]:
     """What is in a box, and its state."""
     aim = sight.session.aim
-    line, edited = Line(shown(aim.texts[index])), aim.box == index
+    line, edited = TextLine(shown(aim.texts[index])), aim.box == index
     if edited and aim.edited is not None:
         line = sight.line(aim.edited)._replace(text=line.text)
     if any(f.box == index for f in aim.shown_faults):
@@ -294,13 +257,13 @@ def _readouts_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> 
     return cards.readouts(surface, rect, sight.type, items)
 
 
-def fixed_parts(layout: Layout) -> list[Part]:
+def fixed_parts(layout: Layout) -> list[Panel]:
     """The parts that every state of the game shows."""
     return [
         *(box_part(i, rect) for i, rect in enumerate(layout.fields)),
-        Part("shoot", layout.shoot, _shoot_look, _shoot_draw, _shoot_touch),
-        Part("hint", layout.hint, _hint_look, _hint_draw),
-        Part("engine", layout.engine, _engine_key, _engine_draw, _engine_touch),
-        Part("read", layout.readouts, _readouts_key, _readouts_draw, mode="aim"),
-        Part("read after", layout.readouts_after, _readouts_key, _readouts_draw, mode="after"),
+        Panel("shoot", layout.shoot, _shoot_look, _shoot_draw, _shoot_touch),
+        Panel("hint", layout.hint, _hint_look, _hint_draw),
+        Panel("engine", layout.engine, _engine_key, _engine_draw, _engine_touch),
+        Panel("read", layout.readouts, _readouts_key, _readouts_draw, mode="aim"),
+        Panel("read after", layout.readouts_after, _readouts_key, _readouts_draw, mode="after"),
     ]

@@ -11,9 +11,10 @@ from danggu.rules.verdict import Verdict
 from game.render.parts import cards
 from game.render.theme import ACCENT, ERROR, GOOD, TEXT, TEXT_SOFT, Colour
 from game.session.running_match import Contest
-from game.ui.pages.menu_view import player_name
+from game.ui.names import player_name
+from game.ui.sight import Sight
 
-from .parts import Sight, number
+from .parts import number
 
 Result = tuple[str, str, str, Colour]
 

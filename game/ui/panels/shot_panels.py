@@ -16,11 +16,12 @@ from game.session.action import Action
 from game.session.session import Session
 from game.session.ticks import TICKS
 from game.text import LANGUAGES
+from game.ui.sight import Place, Sight
 from game.ui.table import drag_aim, place_balls
 from game.ui.table.looks import ball_words, look
 
 from . import aim_panel, score_plates, time_strip
-from .parts import Part, Place, Sight, number
+from .parts import Panel, number
 
 # -- the row above the table ---------------------------------------------------------------------
 
@@ -198,15 +199,15 @@ def _nothing_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> p
     return pygame.Rect(0, 0, 0, 0)
 
 
-def shot_parts(layout: Layout) -> list[Part]:
+def shot_parts(layout: Layout) -> list[Panel]:
     """The parts that tell about the next shot or the last one."""
     head = layout.score[0].union(layout.score[2])
     table = _nothing_key, _nothing_draw, _table_touch
     return [
-        Part("head", head, _head_look, _head_draw),
+        Panel("head", head, _head_look, _head_draw),
         time_strip.part(layout),
         *aim_panel.parts(layout),
-        Part("result", layout.result, _result_look, _result_draw, mode="after"),
-        Part("log", layout.log, _log_key, _log_draw, _log_touch, mode="after"),
-        Part("table", layout.bed, *table, drags=True, wheel=drag_aim.wheel),
+        Panel("result", layout.result, _result_look, _result_draw, mode="after"),
+        Panel("log", layout.log, _log_key, _log_draw, _log_touch, mode="after"),
+        Panel("table", layout.bed, *table, drags=True, wheel=drag_aim.wheel),
     ]

@@ -12,9 +12,10 @@ from game.render.layout import Layout
 from game.render.parts import lanes
 from game.session.action import Action
 from game.session.ticks import TICKS
+from game.ui.sight import Place, Sight
 from game.ui.table.looks import look
 
-from .parts import Part, Place, Sight, number
+from .parts import Panel, number
 
 
 def _playing(sight: Sight) -> bool:
@@ -115,6 +116,6 @@ def _lanes(sight: Sight, told: Story) -> list[lanes.Lane]:
     return result
 
 
-def part(layout: Layout) -> Part:
+def part(layout: Layout) -> Panel:
     """The strip in the window."""
-    return Part("lanes", layout.timeline, key, draw, touch, True, spill=7, wheel=wheel)
+    return Panel("lanes", layout.timeline, key, draw, touch, True, spill=7, wheel=wheel)

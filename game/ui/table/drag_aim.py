@@ -15,7 +15,7 @@ from game.aim.edit import share, speed_at
 from game.input.key_tables import finer_step
 from game.render.table import cue_stick
 from game.session.action import Action
-from game.ui.panels.parts import Place, Sight
+from game.ui.sight import Place, Sight
 
 FINE = 0.1
 """Part of the mouse's turn that a fine drag takes over."""

@@ -8,7 +8,7 @@ import pygame
 
 from game.session.action import Action
 from game.session.session import Session
-from game.ui.panels.parts import Place, Sight
+from game.ui.sight import Place, Sight
 
 REACH = 1.6
 """Radii from its centre within which a press takes a ball."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import pygame
 
-from game.aim.preview import Contact, Meeting, Place, Preview
+from game.aim.preview import FirstContact, Meeting, Place, Preview
 from game.render.layout import Layout
 from game.render.table import lines
 from game.render.theme import ERROR, WHITE, BallLook, Colour
@@ -113,7 +113,7 @@ class Seen(NamedTuple):
         rects = [ring, lines.collision(self.surface, middle, s, 0.9)]
         return rects + ([self._blame(meeting.places[1 - own])] if foul else [])
 
-    def _contact(self, contact: Contact, *, foul: bool = False) -> Rects:
+    def _contact(self, contact: FirstContact, *, foul: bool = False) -> Rects:
         """Draw the ghost and where both balls leave to."""
         s, surface, to_screen = self.layout.s, self.surface, self.layout.to_screen
         rects = [lines.ghost(surface, to_screen(*contact.ghost), self.radius, s)]

@@ -17,9 +17,9 @@ from game.session.session import Session
 from game.settings.settings import Settings
 
 from . import marks
-from .ball_turns import Turns
 from .cue_pose import Pose, pose
 from .looks import look
+from .orientations import Orientations
 from .trail import Trail
 
 SHADOW = 2.3
@@ -48,7 +48,7 @@ class Stage:
         names = enumerate(ball.name for ball in session.world.balls)
         self.looks = [look(name, i, settings.colours) for i, name in names]
         self.sprites = BallSprites(layout, self.looks, self.radius)
-        self.trail, self.turns = Trail(), Turns(self.sprites)
+        self.trail, self.orientations = Trail(), Orientations(self.sprites)
         self.spread, self.fan = spread or Spread(), Fan(layout)
         self._time, self._shown = session.world.time, (session.began, session.timeline.at)
         self._under: object = None
@@ -61,15 +61,15 @@ class Stage:
         """Turn the balls as they have rolled since the last time, and let their trails grow."""
         before, self._time = self._time, session.world.time
         shown, self._shown = self._shown, (session.began, session.timeline.at)
-        new = self.turns.begin(session)
+        new = self.orientations.begin(session)
         since = session.world.time - (session.began if new else before)
         if session.timeline.at is not None or (shown != self._shown and not new) or since > LEAP:
             if session.shown_shot:
-                self.turns.show(session, session.timeline.moment - session.began)
+                self.orientations.show(session, session.timeline.moment - session.began)
         elif since > 0.0:
             for index, ball in enumerate(session.world.balls):
                 if any(ball.spin):
-                    self.sprites.turn(index, ball.spin, since)
+                    self.sprites.rotate(index, ball.spin, since)
         if session.timeline.runs:
             self.trail.grow(session)
 
@@ -77,7 +77,7 @@ class Stage:
         """Go on where the stage of another size has been."""
         for i in range(len(self.looks)):
             self.sprites.orient(i, other.sprites.orientation(i))
-        self.trail, self.turns = other.trail, other.turns.on(self.sprites)
+        self.trail, self.orientations = other.trail, other.orientations.on(self.sprites)
         self._time, self._shown = other._time, other._shown
 
     def draw(self, surface: pygame.Surface, session: Session) -> list[pygame.Rect]:

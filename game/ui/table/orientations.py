@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from game.render.table.balls import BallSprites
-from game.render.table.turning import Quaternion, turned
+from game.render.table.rotation import Quaternion, rotated
 from game.session.session import Session
 
 STEP = 1 / 60
 """Seconds between the moments that are kept; from there it is a single turn."""
 
 
-class Turns:
+class Orientations:
     """The orientations since a shot began, worked out from its log as far as they are asked for."""
 
     def __init__(self, sprites: BallSprites) -> None:
@@ -18,7 +18,7 @@ class Turns:
         self._shot: object = None
         self._kept: list[list[Quaternion]] = []
 
-    def on(self, sprites: BallSprites) -> Turns:
+    def on(self, sprites: BallSprites) -> Orientations:
         """The same turns for sprites of another size."""
         self._sprites = sprites
         return self
@@ -47,6 +47,6 @@ class Turns:
         """The orientations `dt` seconds after a kept moment."""
         middle = session.world.log.at(session.began + step * STEP + dt / 2)
         return [
-            turned(turn, middle[name].spin, dt)
+            rotated(turn, middle[name].spin, dt)
             for name, turn in zip(names, self._kept[step], strict=True)
         ]
