@@ -32,7 +32,11 @@ LARGEST = 16384
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """What the command line asks for; `virtual` time does not wait for the clock on the wall."""
+    """What the command line asks for; `virtual` time does not wait for the clock on the wall.
+
+    edition  of the presets: that of the record which is played
+    given    the options that the command line has named
+    """
 
     seed: int = 0
     substeps: int = 6
@@ -55,14 +59,12 @@ class Options:
     handicap: str | None = None
     finish: str | None = None
     edition: int = presets.EDITION
-    """Of the presets: that of the record which is played."""
     setup: str | None = None
     settings: str | None = None
     record: str | None = None
     replay: str | None = None
     headless: bool = False
     given: frozenset[str] = frozenset()
-    """The options that the command line has named."""
 
     @property
     def virtual(self) -> bool:

@@ -58,10 +58,14 @@ Legs = dict[str, list[Leg]]
 
 @dataclass(frozen=True, slots=True)
 class FirstContact:
-    """The first ball the cue ball meets: where both are then, and where they leave to.
+    """The first ball the cue ball meets.
 
-    overlap is the thickness, 0 to 1, negative when the cue ball passes on the left of the other;
-    cut is the angle between its way and the line of centres, degrees.
+    ball     its name
+    ghost    where the cue ball is then
+    other    where the ball is
+    leaves   velocities with which both leave, the cue ball's first, m/s
+    overlap  the thickness, 0 to 1, negative when the cue ball passes on the left of the other
+    cut      angle between its way and the line of centres, degrees
     """
 
     ball: str
@@ -83,10 +87,15 @@ class Meeting(NamedTuple):
 class Preview:
     """A shot that has not been played, until nothing that happens can change what it counts.
 
-    way: the cue ball's path to its first contact; beyond: from there on; bounces: where it meets
-    cushions, and the wall's outward normal; others: the path of every other ball that moves;
-    meetings: what balls meet after the first contact; whole: do all balls lie still in the end?
-    foul: the number of the meeting that is one, -1 if the first contact is, or None.
+    story     of all balls, to the end
+    contact   the first one, if the cue ball meets any ball
+    way       the cue ball's path to its first contact
+    beyond    its path from there on
+    bounces   where it meets cushions, and the wall's outward normal
+    others    the path of every other ball that moves
+    meetings  of balls after the first contact
+    whole     do all balls lie still in the end?
+    foul      the number of the meeting that is one, -1 if the first contact is, or None
     """
 
     story: Story

@@ -104,7 +104,16 @@ class Witness:
 
 @dataclass(slots=True)
 class Record:
-    """What a file holds; `end` is (tick, digest), or None if the game was cut off."""
+    """What the file of a record holds.
+
+    name     of the file
+    setup    how the game began
+    built    what it was recorded with
+    actions  with their ticks
+    shots    the digest after each
+    end      (tick, digest), None if the game was cut off
+    last     tick of the last line
+    """
 
     name: str
     setup: Options
@@ -113,7 +122,6 @@ class Record:
     shots: list[str] = field(default_factory=list)
     end: tuple[int, str] | None = None
     last: int = 0
-    """Tick of the last line."""
 
 
 def read(path: str, options: Options) -> Record:

@@ -209,9 +209,7 @@ TABLE = (
 COMMANDS = {command.name: command for command in TABLE}
 RECORDED = {name: one for name, one in COMMANDS.items() if not one.own and name != "quit"}
 """What a record may hold: not the player's own settings, and its end is written otherwise."""
-Action.__doc__ = (
-    f"{Action.__doc__}\n\n    " + " · ".join(command.written() for command in TABLE) + "\n"
-)
+Action.__doc__ = "\n    ".join((f"{Action.__doc__}\n", *(command.written() for command in TABLE)))
 
 
 def rows() -> dict[str, list[HelpRow]]:

@@ -38,6 +38,7 @@ class Timeline:
     rate     speed of time, eighths
     part     eighths of a tick that have not passed yet: no frame rate loses any
     stamp    goes up whenever something other than time has changed what will happen
+    _known   the events of the log as far as they have been asked for, and of which shot they are
     """
 
     world: World
@@ -51,7 +52,6 @@ class Timeline:
     part: int = 0
     stamp: int = 0
     _known: tuple[object, list[Event]] = field(default=(None, []))
-    """The events of the log as far as they have been asked for, and of which shot they are."""
 
     # -- what is on show -----------------------------------------------------------------------
 

@@ -33,9 +33,12 @@ FADE = 0.006
 class Timbre:
     """What answers a push.
 
-    contact: seconds a push takes at 1 m/s; shape: power of the half sine that it follows;
-    modes: (Hz, strength, seconds to fall to 1/e) of what rings; air: strength of the ball's own
-    wave; room: strength of the room's answer and where it is cut off, Hz; length: seconds.
+    contact  seconds a push takes at 1 m/s
+    shape    power of the half sine that it follows
+    modes    (Hz, strength, seconds to fall to 1/e) of what rings
+    air      strength of the ball's own wave
+    room     strength of the room's answer and where it is cut off, Hz
+    length   s
     """
 
     contact: float

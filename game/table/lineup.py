@@ -32,9 +32,11 @@ class LineError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Lineup:
-    """Balls by name with their places in metres on a table or a scene, and a shot's five texts.
+    """How balls lie, perhaps with a shot.
 
-    `table` is a key of `presets.TABLES` or `presets.SCENES`; `texts` is empty without a shot.
+    table  a key of `presets.TABLES` or `presets.SCENES`
+    balls  names and places, m
+    texts  the five of a shot, or none
     """
 
     table: str

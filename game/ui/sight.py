@@ -25,7 +25,12 @@ Place = tuple[float, float]
 
 @dataclass(slots=True)
 class Sight:
-    """Everything a part draws from."""
+    """Everything that a picture is drawn from.
+
+    mode         of the right column: "aim" shows the next shot, "after" the last one
+    portrait     the picture of a ball, by its place among the balls, for lists and plates
+    composition  what an input method is composing
+    """
 
     session: Session
     layout: Layout
@@ -34,9 +39,7 @@ class Sight:
     preferences: Preferences
     spread: Spread
     mode: str = "aim"
-    """The right column: "aim" shows the next shot, "after" the last one."""
     portrait: Callable[[int], pygame.Surface] | None = None
-    """The picture of a ball, by its place among the balls, for lists and plates."""
     composition: Composition = field(default_factory=Composition)
 
     @property

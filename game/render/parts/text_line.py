@@ -18,9 +18,12 @@ TALL = 1.1
 
 
 class TextLine(NamedTuple):
-    """A text, the places of the caret (None: not edited) and of the selection.
+    """A text in a box, edited or not.
 
-    `composing` is what an input method has not written yet: it stands in the selection's place.
+    text       what is written
+    caret      its place, None if it is not edited
+    selection  where the selected part begins and ends
+    composing  what an input method has not written yet: it stands in the selection's place
     """
 
     text: str

@@ -13,13 +13,18 @@ from game.table.presets import LAWS
 
 
 class SettingsRow(NamedTuple):
-    """A row: `kind` is "choice", "switch", "slider" or "key"; `keys` are its choices."""
+    """A row of the settings page.
+
+    name  of what it chooses
+    kind  "choice" "switch" "slider" or "key"
+    keys  its choices
+    gap   does a group of rows begin with it?
+    """
 
     name: str
     kind: str
     keys: tuple[str, ...] = ()
     gap: bool = False
-    """Does a group of rows begin with it?"""
 
 
 SWITCH = ("off", "on")

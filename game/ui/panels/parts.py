@@ -39,10 +39,15 @@ def _no_wheel(steps: int, sight: Sight) -> Action | None:
 class Panel:
     """A piece of the window.
 
-    key: what its picture depends on; draw: paints it and returns what it touched; touch: what a
-    press of the mouse there means; wheel: what so many notches up mean; `drags` parts are touched
-    again while the mouse moves; `mode`: shown in this column only; `spill`: px at s = 1 by which
-    the picture may stand out.
+    name   what the mouse's `over` and `held` call it
+    rect   where it is
+    key    what its picture depends on
+    draw   paints it and returns what it touched
+    touch  what a press of the mouse there means
+    drags  is it touched again while the mouse moves?
+    mode   of the column in which alone it is shown, "" for both
+    spill  px at s = 1 by which the picture may stand out
+    wheel  what so many notches up mean
     """
 
     name: str
