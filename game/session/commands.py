@@ -227,4 +227,5 @@ def _rows() -> Iterator[HelpRow]:
             continue
         for key in command.keys:
             ident = Action(command.name, key.value).ident
-            yield HelpRow("always" if key.always else "play", LAST, f"@{ident}", f"key.{ident}")
+            section = "aim" if command.aims else "always"  # there is room for more
+            yield HelpRow(section, LAST, f"@{ident}", f"key.{ident}")

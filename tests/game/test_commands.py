@@ -61,7 +61,17 @@ def test_the_page_of_keys_shows_every_row_of_the_table_once():
 def test_a_command_with_a_key_and_no_rows_gets_a_row_for_the_key(monkeypatch):
     added = Command("dance", lambda session: None, keys=(Key("d"),))
     monkeypatch.setattr("game.session.commands.TABLE", (*TABLE, added))
-    assert rows()["play"][-1] == HelpRow("play", 99, "@dance", "key.dance")
+    assert rows()["always"][-1] == HelpRow("always", 99, "@dance", "key.dance")
+    aims = added._replace(name="jump", aims=True)
+    monkeypatch.setattr("game.session.commands.TABLE", (*TABLE, aims))
+    assert rows()["aim"][-1] == HelpRow("aim", 99, "@jump", "key.jump")
+
+
+@pytest.mark.parametrize("sections", keys_page.COLUMNS, ids=" ".join)
+def test_the_rows_of_the_page_of_keys_end_above_what_it_says_of_the_mouse(sections):
+    count = sum(len(keys_page.rows(name)) for name in sections)
+    end = 70 + keys_page.ROW * count + (8 + 24) * len(sections) - 24  # px at s = 1
+    assert end + 13 <= 584 - (16 + 20 * (len(keys_page.MOUSE) - 1))
 
 
 def test_a_session_has_no_commands_that_only_a_player_has():
