@@ -109,7 +109,7 @@ def _replay(played: Record, session: Session, preferences: Preferences, hidden: 
     if not hidden:
         return _run(start.watched(played.setup), preferences, session, Replay(played, session))
     signals.fail()
-    return start.told(headless(played, session))
+    return start.outcome(headless(played, session))
 
 
 def _run(
@@ -145,7 +145,7 @@ def _run(
         code = start.regret(app)
     if options.stats:
         print(app.report())
-    return start.told(replay) if replay else code
+    return start.outcome(replay) if replay else code
 
 
 def _photograph(app: App, path: str) -> None:

@@ -102,7 +102,7 @@ def regret(app: App) -> int:
     return 2 if fault else 0
 
 
-def told(replay: Replay) -> int:
+def outcome(replay: Replay) -> int:
     """Say how a replay came out; returns the exit code."""
     differs = replay.differs is not None
     out = sys.stderr if differs else sys.stdout

@@ -1,4 +1,4 @@
-"""What a shot does, told from its log: paths and first contact.  The preview is the engine."""
+"""What a shot does, taken from its log: paths and first contact.  The preview is the engine."""
 
 from __future__ import annotations
 
@@ -136,21 +136,21 @@ def preview(world: World, cue: str, shot: Shot, judge: Judge | None = None) -> P
     if after is None:
         return None
     since, legs = world.time, _legs(after.log)
-    told = _story(after.log, legs, since, after.time)
+    known = _story(after.log, legs, since, after.time)
     outcome = judge(after.log) if judge else None
-    end = since + told.duration if outcome is None else outcome.settled + TIE
-    met = [e for e in told.events if e.kind == "ball" and since + e.time <= end]
+    end = since + known.duration if outcome is None else outcome.settled + TIE
+    met = [e for e in known.events if e.kind == "ball" and since + e.time <= end]
     first = next((e for e in met if cue in e.balls), None)
     hit, contact = end, None
     if first is not None:
         hit, contact = since + first.time, _contact(first, legs, cue, since, world)
     others = {name: _way(own, since, end) for name, own in legs.items() if name != cue}
     return Preview(
-        told,
+        known,
         contact,
         _way(legs[cue], since, hit),
         _way(legs[cue], hit, end),
-        _bounces(told, legs[cue], cue, since, end - since, world),
+        _bounces(known, legs[cue], cue, since, end - since, world),
         {name: way for name, way in others.items() if way},
         tuple(_meeting(e, legs, since) for e in met if e is not first),
         outcome is None,
@@ -179,11 +179,11 @@ def _blamed(met: list[Mark], first: Mark | None, end: float) -> int | None:
 
 
 def _bounces(
-    told: Story, legs: list[Leg], cue: str, since: float, until: float, world: World
+    known: Story, legs: list[Leg], cue: str, since: float, until: float, world: World
 ) -> tuple[tuple[Place, Place], ...]:
     normals = {wall.name: wall.normal for wall in world.walls}
     found = []
-    for event in told.events:
+    for event in known.events:
         if event.kind == "cushion" and event.balls == (cue,) and event.time <= until:
             out = -normals[event.wall]
             at = _around(legs, since + event.time)[1].position

@@ -53,7 +53,7 @@ class Command(NamedTuple):
     kept          do the player's settings remember what it has chosen?
     step          is it a step to undo?
     drags         are many in a row one step?
-    keeps_notice  does what the player has been told stay?
+    keeps_notice  does the notice that is on show stay?
     aims          is it about the coming stroke, and so refused on the computer's turn?
     hurries       does it make the computer strike, on its turn?
     repeats       does it go on while its key is held?

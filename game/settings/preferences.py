@@ -68,7 +68,7 @@ class Preferences:
         self._sound()
 
     def aids(self, key: str = "") -> None:
-        """Take a level of aiming aids, or the next one."""
+        """Show so many aiming aids, or take the next setting."""
         keys = CHOICES["aids"]
         after = keys[(keys.index(self.settings.aids) + 1) % len(keys)]
         self.settings.aids = key or after

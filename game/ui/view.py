@@ -115,7 +115,7 @@ class View:
         self._fit(self.sight.layout.size)
 
     def resize(self, size: tuple[int, int]) -> None:
-        """Lay everything out anew."""
+        """Lay everything out again."""
         before = self.stage
         self._fit(size)
         self.stage.take_over(before)

@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -145,6 +146,15 @@ def test_a_class_has_one_meaning_in_the_whole_program():
             if isinstance(node, ast.ClassDef):
                 places.setdefault(node.name, []).append(dotted(path))
     assert {name for name, found in places.items() if len(found) > 1} == {"Aim", "Event"}
+
+
+@pytest.mark.parametrize("path", [p for p in SOURCES if p.is_relative_to(ROOT / "game")], ids=str)
+def test_fields_of_a_value_are_described_in_the_docstring_of_their_class(path):
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ClassDef):
+            for field, after in pairwise(node.body):
+                beneath = isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant)
+                assert not (isinstance(field, ast.AnnAssign) and beneath), node.name
 
 
 WRITERS = {

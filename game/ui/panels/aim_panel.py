@@ -71,7 +71,7 @@ def _signed(value: float) -> str:
 
 
 def tip_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
-    """A level of aids, the elevation, or a point of the ball."""
+    """A setting of the aids, the elevation, or a point of the ball."""
     pointer, s = sight.pointer, sight.layout.s
     (x, y), radius = gauges.tip_circle(rect, s)
     right, up = (at[0] - x) / radius, (y - at[1]) / radius

@@ -94,7 +94,7 @@ def _thought(contest: Contest, w: dict[str, str]) -> str:
 
 
 def _alone(surface: pygame.Surface, rect: pygame.Rect, sight: Sight, contest: Contest) -> None:
-    """Draw the numbers of somebody who plays alone where the other player's plate would be."""
+    """Draw the numbers of a player who plays alone where the other player's plate would be."""
     s, t, w = sight.layout.s, sight.type, sight.words
     cards.card(surface, rect, s)
     sheet = contest.match.sheets[0]
@@ -122,9 +122,9 @@ def result(contest: Contest, verdict: Verdict, sight: Sight) -> Result:
     if verdict.won:
         name = player_name(contest.terms, index, w)
         sheet = match.sheets[index]
-        told = _counted("fact.innings", sheet.innings, w)
-        told += " · " + w["score.average"].format(n=number(sheet.average))
-        return badge, w["score.wins"].format(name=name), f"{told} · {first}", tone
+        said = _counted("fact.innings", sheet.innings, w)
+        said += " · " + w["score.average"].format(n=number(sheet.average))
+        return badge, w["score.wins"].format(name=name), f"{said} · {first}", tone
     return badge, first, " · ".join(_facts(contest, verdict, w)), tone
 
 
@@ -146,10 +146,10 @@ def _facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
             w["fact.run"].format(n=match.run),
         ]
     passes = w["fact.passes" if len(match.players) > 1 else "fact.inning"]
-    told = [passes] if verdict.passes else [w["fact.same"]]
+    said = [passes] if verdict.passes else [w["fact.same"]]
     if verdict.facts.cushions and not verdict.foul:
-        told.append(_counted("fact.cushions", verdict.facts.cushions, w))
-    return told
+        said.append(_counted("fact.cushions", verdict.facts.cushions, w))
+    return said
 
 
 def _counted(key: str, n: int, w: dict[str, str]) -> str:

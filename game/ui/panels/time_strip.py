@@ -45,13 +45,13 @@ def draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rec
     session, w, args = sight.session, sight.words, (surface, rect, sight.type)
     if sight.mode == "aim":
         seen = session.preview if sight.settings.aids == "full" else None
-        told = seen.story if seen else NO_STORY
-        label = w["preview"].format(time=number(told.duration, 1)) if seen else ""
-        return lanes.timeline(*args, _lanes(sight, told), told.duration, label, _buttons(sight))
-    told, now = session.forecast, session.readout_time
+        found = seen.story if seen else NO_STORY
+        label = w["preview"].format(time=number(found.duration, 1)) if seen else ""
+        return lanes.timeline(*args, _lanes(sight, found), found.duration, label, _buttons(sight))
+    found, now = session.forecast, session.readout_time
     length = _length(sight)
     label = w["time"].format(now=number(now), all=number(length))
-    return lanes.timeline(*args, _lanes(sight, told), length, label, _buttons(sight), now)
+    return lanes.timeline(*args, _lanes(sight, found), length, label, _buttons(sight), now)
 
 
 def _length(sight: Sight) -> float:
@@ -95,13 +95,13 @@ def wheel(steps: int, sight: Sight) -> Action:
     return Action("back" if steps < 0 else "frame")
 
 
-def _lanes(sight: Sight, told: Story) -> list[lanes.Lane]:
+def _lanes(sight: Sight, found: Story) -> list[lanes.Lane]:
     session, colours = sight.session, sight.settings.colours
     names = [name for name in (ball.name for ball in session.world.balls) if name in session.traced]
     result = []
     for place, name in enumerate(names):
-        own = [e for e in told.events if name in e.balls]
-        legs = next((lane.legs for lane in told.lanes if lane.name == name), ())
+        own = [e for e in found.events if name in e.balls]
+        legs = next((lane.legs for lane in found.lanes if lane.name == name), ())
         joins = (
             (e.time, names.index(other))
             for e in own

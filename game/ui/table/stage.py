@@ -96,7 +96,7 @@ class Stage:
         return area
 
     def everything(self, surface: pygame.Surface, session: Session) -> None:
-        """Draw the whole window's background and table anew."""
+        """Draw the whole window's background and table again."""
         self._under = None
         self.trail.undrawn()
         self._balls = [(None, NOTHING)] * len(self.looks)

@@ -34,7 +34,7 @@ class Trail:
                 points.append(at)
 
     def _follow(self, session: Session) -> None:
-        """Begin anew after an event, a shot or a stop."""
+        """Begin again after an event, a shot or a stop."""
         since = session.stamp, session.began, session.timeline.passed, session.timeline.runs
         if since != self._since:
             self._since, self._drawn = since, {}
