@@ -25,7 +25,7 @@ from .table.presets import size as table_size
 from .ui.layers import INPUT, MOUSE, Layers
 from .ui.pages import question
 from .ui.view import View
-from .ui.watching import Watching
+from .ui.watching import WatchingLayer
 from .window.canvas import Canvas
 from .window.clock import RealClock, VirtualClock
 from .window.stats import Stats
@@ -72,7 +72,7 @@ class App:
         self._world = session.world
         self.journal = journal
         self.replay = journal if isinstance(journal, Replay) else None
-        self.watching = Watching(self.view, self.replay) if self.replay is not None else None
+        self.watching = WatchingLayer(self.view, self.replay) if self.replay is not None else None
         self.layers = Layers(self.view, *([] if self.watching is None else [self.watching]))
         self.clock = (VirtualClock if options.virtual else RealClock)(options.fps)
         self.actions: list[tuple[int, Action]] = []

@@ -54,7 +54,7 @@ class Layer(Protocol):
         ...
 
 
-class Asking:
+class QuestionLayer:
     """The question, whatever it lies over."""
 
     def __init__(self, view: View) -> None:
@@ -74,7 +74,7 @@ class Asking:
         return Answer((*closing, *answer(action).actions), _edits(event), True, sure)
 
 
-class Paging:
+class PageLayer:
     """The page over the table."""
 
     def __init__(self, view: View) -> None:
@@ -95,7 +95,7 @@ def _edits(event: pygame.event.Event) -> Action | None:
     return editing.of_key(event) if event.type == pygame.KEYDOWN else None
 
 
-class Helping:
+class KeysLayer:
     """The page of keys: a few keys and a click close it, nothing else gets through."""
 
     def __init__(self, view: View) -> None:
@@ -115,7 +115,7 @@ class Helping:
         return answer(always if always == Action("language") else None)
 
 
-class Placing:
+class PlacingLayer:
     """Balls that are placed by hand: a few keys move them."""
 
     def __init__(self, view: View) -> None:
@@ -129,7 +129,7 @@ class Placing:
         return None if action is None else answer(action)
 
 
-class Boxing:
+class BoxLayer:
     """The box that is edited: keys and characters go into it."""
 
     def __init__(self, view: View) -> None:
@@ -150,7 +150,7 @@ class Boxing:
         return answer(action, held=action)
 
 
-class Tabling:
+class TableLayer:
     """The table and the panels around it, which take what nothing above them has taken."""
 
     def __init__(self, view: View) -> None:
@@ -188,8 +188,8 @@ class Layers:
 
     def __init__(self, view: View, *first: Layer) -> None:
         self.stack: tuple[Layer, ...] = (
-            *first, Asking(view), Paging(view), Helping(view), Placing(view), Boxing(view),
-            Tabling(view),
+            *first, QuestionLayer(view), PageLayer(view), KeysLayer(view), PlacingLayer(view),
+            BoxLayer(view), TableLayer(view),
         )  # fmt: skip
 
     def ask(self, event: pygame.event.Event, texts: bool) -> Answer:

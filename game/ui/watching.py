@@ -15,7 +15,7 @@ LEFT = (Action("quit"), Action("mute"))
 """What a viewer can do to the game itself."""
 
 
-class Watching:
+class WatchingLayer:
     """The topmost layer while a record is played: nothing that is typed or clicked plays it."""
 
     def __init__(self, view: View, replay: Replay) -> None:

@@ -148,7 +148,7 @@ def test_a_class_has_one_meaning_in_the_whole_program():
     assert {name for name, found in places.items() if len(found) > 1} == {"Aim", "Event"}
 
 
-@pytest.mark.parametrize("path", [p for p in SOURCES if p.is_relative_to(ROOT / "game")], ids=str)
+@pytest.mark.parametrize("path", [p for p in SOURCES if p.is_relative_to(ROOT / "game")], ids=dotted)
 def test_fields_of_a_value_are_described_in_the_docstring_of_their_class(path):
     for node in ast.walk(ast.parse(path.read_text())):
         if isinstance(node, ast.ClassDef):
