@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from math import isfinite
 
-from game.input.numerals import MINUS, hopeless, plain, shown, typed, value
-from game.input.text_field import TextField
+from game.text.numerals import MINUS, hopeless, plain, shown, typed, value
+from game.text.text_field import TextField
 from physics import Shot
 
 from .tip import Tip, tip_of

@@ -1,7 +1,8 @@
 """Every word of the interface, in each language under the same keys.
 
 A key of the keyboard that a player may change is written @[action]: `input.captions` puts its cap
-there.
+there. Beside the words are numbers as they are typed (`numerals`), and a text while it is edited
+(`text_field`).
 """
 
 from __future__ import annotations

@@ -11,13 +11,13 @@ from game.aim.spread import Spread
 from game.input.captions import words
 from game.input.composing import Composition
 from game.input.pointer import Pointer
-from game.input.text_field import TextField
 from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts.text_line import TextLine
 from game.session.session import Session
 from game.settings.preferences import Preferences
 from game.settings.settings import Settings
+from game.text.text_field import TextField
 
 Place = tuple[float, float]
 """A point of the window, px."""

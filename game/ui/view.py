@@ -10,12 +10,12 @@ import pygame
 from game.aim.spread import Spread
 from game.input.composing import Composition
 from game.input.pointer import SLACK, Pointer
-from game.input.text_field import TextField
 from game.render.font import Type
 from game.render.layout import Layout
 from game.session.action import Action
 from game.session.session import Session
 from game.settings.preferences import Preferences
+from game.text.text_field import TextField
 from game.ui.sight import Sight
 
 from .pages import help as keys_page

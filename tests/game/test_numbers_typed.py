@@ -7,7 +7,7 @@ import pytest
 
 from game.aim.entry import LONGEST, Aim, fault
 from game.input.captions import words
-from game.input.numerals import hopeless, typed, value
+from game.text.numerals import hopeless, typed, value
 from game.ui.panels.parts import hint
 from game.window import clipboard
 from tests.support.players import FRAME, an_app, enter, places, press, write

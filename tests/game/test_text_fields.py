@@ -7,10 +7,10 @@ from hypothesis import strategies as st
 
 from game.input.captions import words
 from game.input.repeat import FIRST, NEXT
-from game.input.text_field import TextField
 from game.render.parts import fields
 from game.session.ticks import TICKS
 from game.text import LANGUAGES
+from game.text.text_field import TextField
 from game.ui.pages import menu_view
 from game.window import clipboard
 from tests.game.test_composing import to_box, to_name, to_row, to_shelf

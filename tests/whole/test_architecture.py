@@ -148,7 +148,9 @@ def test_a_class_has_one_meaning_in_the_whole_program():
     assert {name for name, found in places.items() if len(found) > 1} == {"Aim", "Event"}
 
 
-@pytest.mark.parametrize("path", [p for p in SOURCES if p.is_relative_to(ROOT / "game")], ids=dotted)
+@pytest.mark.parametrize(
+    "path", [p for p in SOURCES if p.is_relative_to(ROOT / "game")], ids=dotted
+)
 def test_fields_of_a_value_are_described_in_the_docstring_of_their_class(path):
     for node in ast.walk(ast.parse(path.read_text())):
         if isinstance(node, ast.ClassDef):
@@ -162,6 +164,25 @@ WRITERS = {
 }
 BELOW = ("game.session", "game.aim", "game.table", "game.text")
 """What a session is made of, and what these use."""
+
+
+def test_the_game_itself_knows_no_room_of_the_window():
+    of_the_window = (
+        "input",
+        "window",
+        "sound",
+        "render",
+        "ui",
+        "replay",
+        "computer",
+        "app",
+        "start",
+    )
+    for path in SOURCES:
+        if dotted(path).startswith(BELOW):
+            assert not {name.split(".")[1] for name in needed(path) if name.startswith("game.")} & {
+                *of_the_window
+            }, path
 
 
 def test_only_the_session_and_the_commands_write_to_it():

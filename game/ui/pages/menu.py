@@ -9,12 +9,12 @@ import pygame
 
 from game.input import editing
 from game.input.key_tables import character
-from game.input.text_field import TextField
 from game.render.parts import text_line
 from game.session.action import Action
 from game.session.session import Session
 from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, Terms
 from game.table import presets
+from game.text.text_field import TextField
 from game.ui.sight import Sight
 
 from . import menu_view

@@ -6,7 +6,6 @@ import unicodedata
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from game.input.numerals import typed
 from game.session.terms import (
     BANKS,
     DISCIPLINES,
@@ -20,6 +19,7 @@ from game.session.terms import (
     Terms,
 )
 from game.table import presets
+from game.text.numerals import typed
 
 
 class MenuRow(NamedTuple):

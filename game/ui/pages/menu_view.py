@@ -7,13 +7,13 @@ from typing import NamedTuple
 
 import pygame
 
-from game.input.text_field import TextField
 from game.render import theme
 from game.render.layout import Layout
 from game.render.parts import shapes, text_line
 from game.render.parts.text_line import TextLine
 from game.render.theme import ACCENT, LINE_INPUT, PANEL_RAISED
 from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, SKILLS, Terms
+from game.text.text_field import TextField
 from game.ui.names import player_name
 from game.ui.sight import Sight
 

@@ -8,13 +8,13 @@ from collections.abc import Hashable
 import pygame
 
 from game.input import editing
-from game.input.text_field import TextField
 from game.render.parts import text_line
 from game.session.action import Action
 from game.session.session import Session
 from game.table import lineup
 from game.table.library import LONGEST_NAME, Library
 from game.table.lineup import MARK, LineError, Lineup
+from game.text.text_field import TextField
 from game.ui.sight import Sight
 from game.window import clipboard
 

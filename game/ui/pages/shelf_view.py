@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import pygame
 
-from game.input.text_field import TextField
 from game.render import theme
 from game.render.layout import Layout
 from game.render.parts import shapes, text_line
@@ -15,6 +14,7 @@ from game.render.parts.text_line import TextLine
 from game.render.theme import ACCENT, LINE, LINE_INPUT, PANEL_RAISED, mix
 from game.table import presets
 from game.table.lineup import Lineup
+from game.text.text_field import TextField
 from game.ui.sight import Sight
 from game.ui.table.looks import look
 
