@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from .options import Options
     from .replay.game_record import Record
     from .replay.replay import Replay
-    from .session.session import Game
+    from .session.session import Session
     from .settings.preferences import Preferences
 
 
@@ -95,25 +95,25 @@ def _play(options: Options) -> int:
             return _run(options, preferences, new_game(options))
         played = game_record.read(options.replay, options)
         with excused(played.name):
-            game = new_game(played.setup)
-        return _replay(played, game, preferences, hidden)
+            session = new_game(played.setup)
+        return _replay(played, session, preferences, hidden)
     finally:
         pygame.display.quit()
 
 
-def _replay(played: Record, game: Game, preferences: Preferences, hidden: bool) -> int:
+def _replay(played: Record, session: Session, preferences: Preferences, hidden: bool) -> int:
     from . import start
     from .replay.replay import Replay, headless
     from .window import signals
 
     if not hidden:
-        return _run(start.watched(played.setup), preferences, game, Replay(played, game))
+        return _run(start.watched(played.setup), preferences, session, Replay(played, session))
     signals.fail()
-    return start.told(headless(played, game))
+    return start.outcome(headless(played, session))
 
 
 def _run(
-    options: Options, preferences: Preferences, game: Game, replay: Replay | None = None
+    options: Options, preferences: Preferences, session: Session, replay: Replay | None = None
 ) -> int:
     """Play in a window, and keep what is to be kept at the end."""
     from contextlib import nullcontext
@@ -128,14 +128,14 @@ def _run(
     from .window import signals
 
     script = read(options.script) if options.script else None
-    recorder = Recorder(options.record, options, game) if options.record else None
+    recorder = Recorder(options.record, options, session) if options.record else None
     try:
-        app = App(game, options, script, preferences, replay or recorder)
+        app = App(session, options, script, preferences, replay or recorder)
     except pygame.error as error:
         raise ValueError(f"cannot open a window: {error}") from None
     start.greet(app)
     try:
-        with excused(replay.record.name, game) if replay else nullcontext():
+        with excused(replay.record.name, session) if replay else nullcontext():
             app.run()
         if options.screenshot:
             _photograph(app, options.screenshot)
@@ -145,7 +145,7 @@ def _run(
         code = start.regret(app)
     if options.stats:
         print(app.report())
-    return start.told(replay) if replay else code
+    return start.outcome(replay) if replay else code
 
 
 def _photograph(app: App, path: str) -> None:
@@ -157,31 +157,37 @@ def _photograph(app: App, path: str) -> None:
         raise ValueError(f"cannot save {path!r}: {error}") from None
 
 
-def new_game(options: Options) -> Game:
+def new_game(options: Options) -> Session:
     """The game that the options ask for."""
-    from .session import commands, equipment, terms
-    from .session.session import Game
+    from . import options as command_line
+    from .session import table_commands, terms
+    from .session.session import Session
     from .table import presets
 
     world = (
         presets.scene_world(options.scene) if options.scene else presets.table_world(options.table)
     )
-    game = Game(world, options.substeps, options.seed, options.scene or options.table)
-    game.language, game.edition = options.lang, options.edition
-    if "engine" in options.given:
-        game.match_engine = options.engine
+    session = Session(
+        world,
+        options.substeps,
+        options.seed,
+        options.scene or options.table,
+        options.lang,
+        options.edition,
+        options.engine if "engine" in options.given else "exact",
+    )
     if options.setup:
-        commands.line(game, options.setup)
+        table_commands.line(session, options.setup)
     elif options.game != terms.FREE:
-        commands.match(game, terms.asked(options).line())
+        table_commands.match(session, command_line.asked(options).line())
     # after the table is laid: each table comes with its own
     if options.law:
-        equipment.law(game, options.law)
+        table_commands.use_law(session, options.law)
     if options.cloth != "table":
-        equipment.cloth(game, options.cloth)
+        table_commands.use_cloth(session, options.cloth)
     if options.engine != "exact":
-        equipment.engine(game, options.engine)
-    return game
+        table_commands.use_engine(session, options.engine)
+    return session
 
 
 if __name__ == "__main__":

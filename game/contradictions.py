@@ -56,7 +56,7 @@ def _idle(found: Found) -> Iterator[str]:
     if game == terms.FREE and (lost := [name for name in MATCH if name in found]):
         rules = " or ".join(name for name in terms.GAMES if name != terms.FREE)
         yield f"{_said(found, *lost)}: needs --game {rules}"
-    elif "finish" in found and game != terms.FOUR_BALL:
+    elif "finish" in found and "finish" not in terms.DISCIPLINES[str(game)].house:
         yield f"{_said(found, 'finish')}: needs --game {terms.FOUR_BALL}"
 
 

@@ -32,7 +32,11 @@ LARGEST = 16384
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """What the command line asks for; `virtual` time does not wait for the clock on the wall."""
+    """What the command line asks for; `virtual` time does not wait for the clock on the wall.
+
+    edition  of the presets: that of the record which is played
+    given    the options that the command line has named
+    """
 
     seed: int = 0
     substeps: int = 6
@@ -55,14 +59,12 @@ class Options:
     handicap: str | None = None
     finish: str | None = None
     edition: int = presets.EDITION
-    """Of the presets: that of the record which is played."""
     setup: str | None = None
     settings: str | None = None
     record: str | None = None
     replay: str | None = None
     headless: bool = False
     given: frozenset[str] = frozenset()
-    """The options that the command line has named."""
 
     @property
     def virtual(self) -> bool:
@@ -77,7 +79,7 @@ def read(arguments: list[str] | None = None) -> Options:
     if wrong := contradiction(found):
         parser.error(wrong)
     if found.get("game", terms.FREE) != terms.FREE:
-        found.setdefault("table", terms.TABLES[found["game"]])
+        found.setdefault("table", terms.DISCIPLINES[found["game"]].table)
     return Options(**found, given=frozenset(found))
 
 
@@ -95,6 +97,32 @@ def of_setup(begun: Mapping[str, object], options: Options) -> Options:
             raise ValueError(f"{name} is {shortly(value)}: text or a whole number was expected")
     words = [f"--{name}={value}" for name, value in said.items()]
     return replace(options, **{**usual, **vars(_parser(_Raising).parse_args(words))})
+
+
+def asked(options: Options) -> terms.Terms:
+    """The match that the command line asks for; ValueError names what is wrong with it."""
+    said = (options.players or "2").split(",")
+    names = said
+    if len(said) == 1 and said[0].strip("+-").isdecimal():
+        if said[0] not in ("1", "2"):
+            raise ValueError(f"players must be 1 or 2, not {said[0]:.20}")
+        names = [""] * int(said[0])
+    levels = (options.level or terms.HUMAN).split(",")
+    if len(levels) < len(names):
+        levels = [terms.HUMAN] * (len(names) - len(levels)) + levels
+    goals = (options.handicap or "10").split(",")
+    goals += goals[-1:] * (len(names) - len(goals))
+    for said, whole in ((levels, options.level), (goals, options.handicap)):
+        if len(said) > len(names):
+            raise ValueError(f"{whole!r:.60} is for {len(said)} players: there are {len(names)}")
+    if not all(re.fullmatch(r"\d{1,9}", goal) for goal in goals):
+        raise ValueError(f"a handicap is a whole number, not {options.handicap!r:.60}")
+    seats = tuple(
+        terms.Contestant(n.strip(), v, int(g)) for n, v, g in zip(names, levels, goals, strict=True)
+    )
+    law, finish = options.law or "table", options.finish or terms.EXTRA_3C
+    played_on = options.table, options.cloth, law, options.engine
+    return terms.Terms(options.game, seats, *played_on, finish)
 
 
 class _Raising(commandline.Parser):

@@ -13,7 +13,6 @@ import pygame
 from .app import App, prepare_environment
 from .options import Options
 from .replay.recorder import Recorder
-from .session.session import Notice
 from .settings import user_files
 from .settings.preferences import Preferences
 from .settings.settings import Store
@@ -87,9 +86,9 @@ def greet(app: App) -> None:
     """Say once that the settings were broken, or that there is no place for them."""
     store = app.preferences.store
     if store is not None and (store.trouble or store.path is None):
-        app.game.notice = Notice("settings.unsaved", error=True)
+        app.session.say("settings.unsaved", error=True)
     elif store is not None and store.faults:
-        app.game.notice = Notice("settings.broken")
+        app.session.say("settings.broken")
 
 
 def regret(app: App) -> int:
@@ -103,7 +102,7 @@ def regret(app: App) -> int:
     return 2 if fault else 0
 
 
-def told(replay: Replay) -> int:
+def outcome(replay: Replay) -> int:
     """Say how a replay came out; returns the exit code."""
     differs = replay.differs is not None
     out = sys.stderr if differs else sys.stdout

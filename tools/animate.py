@@ -51,10 +51,10 @@ def main(out: Path) -> None:
 
 def frames(app: App) -> Iterator[Image.Image]:
     """The pictures: aiming, the shot until both balls are hit, and the verdict."""
-    game = app.game
+    session = app.session
     position = next(place for place in SHELF if place.key == KEY)
-    spots = position.on(*size(game.world))
-    game.lay([spots[ball.name] for ball in game.world.balls])
+    spots = position.on(*size(session.world))
+    session.lay([spots[ball.name] for ball in session.world.balls])
     angle, speed, right, up = position.answer
     for action in (("set", f"angle {angle + BESIDE}"), ("power", str(speed))):
         app.perform(Action(*action))
@@ -66,9 +66,9 @@ def frames(app: App) -> Iterator[Image.Image]:
         app.perform(Action("set", f"angle {angle + beside:.2f}"))
         yield picture(app)
     app.perform(Action("shoot"))
-    while not (hits := stroke(game.world.log, game.cue).hits()).keys() >= {"red", "yellow"}:
+    while not (hits := stroke(session.world.log, session.cue).hits()).keys() >= {"red", "yellow"}:
         yield picture(app)
-    while game.world.time < game.began + hits["yellow"] + AFTER:
+    while session.world.time < session.began + hits["yellow"] + AFTER:
         yield picture(app)
     app.perform(Action("skip"))
     for _ in range(round(VERDICT * FPS)):

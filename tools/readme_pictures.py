@@ -24,7 +24,7 @@ from game.aim.entry import BOXES, START
 from game.app import App
 from game.render import theme
 from game.session.action import Action
-from game.session.session import Game
+from game.session.session import Session
 from game.session.ticks import TICKS
 from game.table import presets
 
@@ -48,8 +48,8 @@ SCRUBBED = 5.6
 def main(folder: Path) -> None:
     """Draw all three."""
     app = begun(SAGU, SAGU_PLAYED)
-    length, width = presets.size(app.game.world)
-    lay(app.game, {name: (x * length, y * width) for name, (x, y) in presets.BALLS.items()})
+    length, width = presets.size(app.session.world)
+    lay(app.session, {name: (x * length, y * width) for name, (x, y) in presets.BALLS.items()})
     numbers = " ".join(f"{box} {text}" for box, text in zip(BOXES, START, strict=True))
     aimed(app, numbers)
     save(app, folder / "game.png")
@@ -79,18 +79,18 @@ def begun(command: str, played: Sequence[str]) -> App:
 
 def place(app: App, key: str) -> None:
     """Lay the balls of a position for the player at the table, and aim as its answer says."""
-    game = app.game
+    session = app.session
     position = next(place for place in SHELF if place.key == key)
-    spots = position.on(*presets.size(game.world))
-    if game.cue == "yellow":
+    spots = position.on(*presets.size(session.world))
+    if session.cue == "yellow":
         spots["white"], spots["yellow"] = spots["yellow"], spots["white"]
-    lay(game, spots)
+    lay(session, spots)
     aim(app, position.answer)
 
 
-def lay(game: Game, spots: Mapping[str, presets.Place]) -> None:
+def lay(session: Session, spots: Mapping[str, presets.Place]) -> None:
     """Lay all balls down where they belong, metres."""
-    game.lay([spots[ball.name] for ball in game.world.balls])
+    session.lay([spots[ball.name] for ball in session.world.balls])
 
 
 def aim(app: App, answer: Answer) -> None:

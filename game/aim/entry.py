@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from math import isfinite
 
-from game.input.numerals import MINUS, hopeless, plain, shown, typed, value
-from game.input.text_field import TextField
+from game.text.numerals import MINUS, hopeless, plain, shown, typed, value
+from game.text.text_field import TextField
 from physics import Shot
 
 from .tip import Tip, tip_of
@@ -57,8 +57,12 @@ def fault(box: int, text: str) -> Fault | None:
 class Aim:
     """What the next shot will be.
 
-    `box` is the one being edited, or None in play; `complete` says that RETURN may shoot, once;
-    `wrong` that an entry was refused and no good shot has followed yet.
+    texts     of the five boxes
+    box       the one being edited, None in play
+    complete  may RETURN shoot?  Once for each entry
+    wrong     has an entry been refused, and no good shot followed yet?
+    left      boxes that have been left since editing began: only their faults are shown
+    _held     the tip point that was set last, and what the first four boxes were then given
     """
 
     texts: list[str] = field(default_factory=lambda: list(START))
@@ -66,10 +70,8 @@ class Aim:
     complete: bool = True
     wrong: bool = False
     left: set[int] = field(default_factory=set)
-    """Boxes that have been left since editing began: only their faults are shown."""
     _edited: TextField = field(default_factory=TextField)
     _held: tuple[Tip, list[str]] | None = None
-    """The tip point that was set last, and what the first four boxes were then given."""
 
     @property
     def faults(self) -> list[Fault]:

@@ -1,4 +1,4 @@
-"""What a shot does, told from its log: paths and first contact.  The preview is the engine."""
+"""What a shot does, taken from its log: paths and first contact.  The preview is the engine."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ TIE = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class Lane:
+class Travel:
     """A ball's time: (from, to, mean speed) of each leg on which it moved."""
 
     name: str
@@ -48,7 +48,7 @@ class Mark(NamedTuple):
 class Story:
     """What happened since a shot; times count from it, seconds."""
 
-    lanes: tuple[Lane, ...]
+    lanes: tuple[Travel, ...]
     events: tuple[Mark, ...]
     duration: float
 
@@ -57,11 +57,15 @@ Legs = dict[str, list[Leg]]
 
 
 @dataclass(frozen=True, slots=True)
-class Contact:
-    """The first ball the cue ball meets: where both are then, and where they leave to.
+class FirstContact:
+    """The first ball the cue ball meets.
 
-    overlap is the thickness, 0 to 1, negative when the cue ball passes on the left of the other;
-    cut is the angle between its way and the line of centres, degrees.
+    ball     its name
+    ghost    where the cue ball is then
+    other    where the ball is
+    leaves   velocities with which both leave, the cue ball's first, m/s
+    overlap  the thickness, 0 to 1, negative when the cue ball passes on the left of the other
+    cut      angle between its way and the line of centres, degrees
     """
 
     ball: str
@@ -83,14 +87,19 @@ class Meeting(NamedTuple):
 class Preview:
     """A shot that has not been played, until nothing that happens can change what it counts.
 
-    way: the cue ball's path to its first contact; beyond: from there on; bounces: where it meets
-    cushions, and the wall's outward normal; others: the path of every other ball that moves;
-    meetings: what balls meet after the first contact; whole: do all balls lie still in the end?
-    foul: the number of the meeting that is one, -1 if the first contact is, or None.
+    story     of all balls, to the end
+    contact   the first one, if the cue ball meets any ball
+    way       the cue ball's path to its first contact
+    beyond    its path from there on
+    bounces   where it meets cushions, and the wall's outward normal
+    others    the path of every other ball that moves
+    meetings  of balls after the first contact
+    whole     do all balls lie still in the end?
+    foul      the number of the meeting that is one, -1 if the first contact is, or None
     """
 
     story: Story
-    contact: Contact | None
+    contact: FirstContact | None
     way: tuple[Place, ...]
     beyond: tuple[Place, ...]
     bounces: tuple[tuple[Place, Place], ...]
@@ -127,21 +136,21 @@ def preview(world: World, cue: str, shot: Shot, judge: Judge | None = None) -> P
     if after is None:
         return None
     since, legs = world.time, _legs(after.log)
-    told = _story(after.log, legs, since, after.time)
+    known = _story(after.log, legs, since, after.time)
     outcome = judge(after.log) if judge else None
-    end = since + told.duration if outcome is None else outcome.settled + TIE
-    met = [e for e in told.events if e.kind == "ball" and since + e.time <= end]
+    end = since + known.duration if outcome is None else outcome.settled + TIE
+    met = [e for e in known.events if e.kind == "ball" and since + e.time <= end]
     first = next((e for e in met if cue in e.balls), None)
     hit, contact = end, None
     if first is not None:
         hit, contact = since + first.time, _contact(first, legs, cue, since, world)
     others = {name: _way(own, since, end) for name, own in legs.items() if name != cue}
     return Preview(
-        told,
+        known,
         contact,
         _way(legs[cue], since, hit),
         _way(legs[cue], hit, end),
-        _bounces(told, legs[cue], cue, since, end - since, world),
+        _bounces(known, legs[cue], cue, since, end - since, world),
         {name: way for name, way in others.items() if way},
         tuple(_meeting(e, legs, since) for e in met if e is not first),
         outcome is None,
@@ -158,7 +167,7 @@ def rests(world: World) -> bool:
 
 def _meeting(met: Mark, legs: Legs, since: float) -> Meeting:
     a, b = met.balls
-    p, q = (_turn(legs[name], since + met.time)[1].position for name in (a, b))
+    p, q = (_around(legs[name], since + met.time)[1].position for name in (a, b))
     return Meeting((a, b), (p, q))
 
 
@@ -170,19 +179,19 @@ def _blamed(met: list[Mark], first: Mark | None, end: float) -> int | None:
 
 
 def _bounces(
-    told: Story, legs: list[Leg], cue: str, since: float, until: float, world: World
+    known: Story, legs: list[Leg], cue: str, since: float, until: float, world: World
 ) -> tuple[tuple[Place, Place], ...]:
     walls = {wall.name: wall for wall in world.walls}
     found = []
-    for event in told.events:
+    for event in known.events:
         if event.kind == "cushion" and event.balls == (cue,) and event.time <= until:
-            at = _turn(legs, since + event.time)[1].position
+            at = _around(legs, since + event.time)[1].position
             out = -walls[event.wall].facing(at)
             found.append((at, (out.real, out.imag)))
     return tuple(found)
 
 
-def _turn(legs: list[Leg], time: float) -> tuple[State, State]:
+def _around(legs: list[Leg], time: float) -> tuple[State, State]:
     """A ball just before and just after something happened to it, at a world time."""
     index = min(range(len(legs)), key=lambda i: abs(legs[i].time - time))
     before, leg = legs[max(index - 1, 0)], legs[index]
@@ -204,7 +213,8 @@ def _story(log: Log, legs: Legs, since: float, now: float) -> Story:
     for name in log.names:
         own = legs[name]
         moved = _moved(own, since, now)
-        lanes.append(Lane(name, tuple((a - since, b - since, _pace(g, a, b)) for g, a, b in moved)))
+        spans = tuple((a - since, b - since, _pace(g, a, b)) for g, a, b in moved)
+        lanes.append(Travel(name, spans))
         rests = (leg.time for leg in own[1:] if leg.velocity == leg.roll == leg.acceleration == 0j)
         events += [Mark(time - since, "rest", (name,)) for time in rests]
     events.sort(key=lambda mark: mark.time)
@@ -263,10 +273,10 @@ def _points(leg: Leg, a: float, b: float) -> list[Place]:
     return [(p.real, p.imag) for p in spots]
 
 
-def _contact(met: Mark, legs: Legs, cue: str, since: float, world: World) -> Contact:
+def _contact(met: Mark, legs: Legs, cue: str, since: float, world: World) -> FirstContact:
     ball = next(name for name in met.balls if name != cue)
-    own, left = _turn(legs[cue], since + met.time)
-    other, sent = _turn(legs[ball], since + met.time)
+    own, left = _around(legs[cue], since + met.time)
+    other, sent = _around(legs[ball], since + met.time)
     line = complex(other.position[0] - own.position[0], other.position[1] - own.position[1])
     way = complex(*own.velocity) - complex(*other.velocity)
     turn = phase(line / way) if way else 0.0
@@ -274,4 +284,4 @@ def _contact(met: Mark, legs: Legs, cue: str, since: float, world: World) -> Con
     overlap = 1.0 - aside / world.ball(cue).touching_distance(world.ball(ball))
     leaves = left.velocity, sent.velocity
     signed = -overlap if turn < 0 else overlap
-    return Contact(ball, own.position, other.position, leaves, signed, abs(degrees(turn)))
+    return FirstContact(ball, own.position, other.position, leaves, signed, abs(degrees(turn)))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from random import Random
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from danggu.rules.stroke import counts
 from physics import Log, Shot, World, simulate
@@ -12,15 +12,16 @@ from physics import Log, Shot, World, simulate
 from .preview import Place, foretold, path
 from .tip import LEVER
 
-if TYPE_CHECKING:
-    from game.session.session import Game
-
 ANGLE, SPEED, TIP = 0.05, 0.02, 0.01
 """Standard errors of the angle, degrees, of the speed, a share, and of the tip, ball radii: those
 of a good amateur."""
 SAMPLES = 40
 MOST_CUSHIONS = 6
 """Cushions after which a path is drawn no farther: by then the haze is everywhere."""
+
+
+Scores = Callable[[Log], bool]
+"""Does the stroke in a log score, by the rules that are played by?"""
 
 
 class Sample(NamedTuple):
@@ -57,16 +58,20 @@ def nominal(world: World, cue: str, shot: Shot) -> list[tuple[str, str]]:
     return plan(simulate(world, cue, shot).log, cue)
 
 
-def sample(game: Game, shot: Shot, wanted: Sequence[tuple[str, str]], rng: Random) -> Sample:
+def sample(
+    world: World,
+    cue: str,
+    shot: Shot,
+    wanted: Sequence[tuple[str, str]],
+    rng: Random,
+    scores: Scores | None = None,
+) -> Sample:
     """Play the shot once more, a little off."""
-    world, cue = game.world, game.cue
     after = foretold(world, cue, off(shot, rng))
     if after is None:
         return Sample((), None)
     until = _parting(after, cue, wanted)
-    made = None
-    if game.contest is not None:
-        made = game.contest.match.judged(after.log.contacts()).made
+    made = None if scores is None else scores(after.log)
     return Sample(path(after.log, cue, world.time, until), made)
 
 
@@ -101,9 +106,11 @@ class Spread:
         self._key, self.still, self.samples = None, 0.0, []
         return some
 
-    def follow(self, game: Game, seconds: float) -> bool:
-        """Note the aim and how long it has been so; returns whether samples have been dropped."""
-        key = game.preview_key
+    def follow(self, key: object, seconds: float) -> bool:
+        """Note the aim, by what it depends on, and how long it has been so.
+
+        Returns whether samples have been dropped.
+        """
         if key == self._key:
             self.still += seconds
             return False
@@ -111,15 +118,15 @@ class Spread:
         self._key = key
         return some
 
-    def take(self, game: Game, count: int) -> None:
+    def take(
+        self, world: World, cue: str, shot: Shot, count: int, scores: Scores | None = None
+    ) -> None:
         """Play some more samples."""
-        shot = game.aim.shot
-        assert shot is not None, "what has a preview can be shot"
         if not self.samples:
             self._rng = Random(0)
-            self._wanted = nominal(game.world, game.cue, shot)
+            self._wanted = nominal(world, cue, shot)
         for _ in range(min(count, SAMPLES - len(self.samples))):
-            self.samples.append(sample(game, shot, self._wanted, self._rng))
+            self.samples.append(sample(world, cue, shot, self._wanted, self._rng, scores))
 
     @property
     def done(self) -> bool:

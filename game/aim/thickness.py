@@ -10,7 +10,7 @@ from math import ceil, copysign, floor, radians, sqrt
 
 from physics import Shot, World, heading
 
-from .preview import Contact, Preview, preview
+from .preview import FirstContact, Preview, preview
 
 EIGHTHS = 8
 CLOSE = 1e-3
@@ -22,7 +22,7 @@ STRIDE = 4.0
 """Degrees an attempt may be turned at most."""
 
 
-def aside(contact: Contact) -> float:
+def aside(contact: FirstContact) -> float:
     """How far the line of aim passes the ball, in eighths: 0 is full, 8 a miss, + on its right."""
     return EIGHTHS * copysign(1.0 - abs(contact.overlap), contact.overlap)
 
@@ -64,7 +64,7 @@ def angle(world: World, cue: str, shot: Shot, seen: Preview, eighths: int) -> fl
     return None
 
 
-def _straight(world: World, cue: str, contact: Contact, eighths: int) -> float:
+def _straight(world: World, cue: str, contact: FirstContact, eighths: int) -> float:
     """The angle if the cue ball runs straight to the ball, degrees."""
     own, other = world.ball(cue), world.ball(contact.ball)
     line = complex(*other.position) - complex(*own.position)

@@ -15,7 +15,8 @@ from danggu.players.opponent import Opponent
 from danggu.rules.match import Match
 from game.aim.entry import BOXES, plain
 from game.session.action import Action
-from game.session.session import Game
+from game.session.commands import COMMANDS
+from game.session.session import Session
 from game.session.ticks import TICKS
 from physics import EventDriven, Shot
 
@@ -31,13 +32,6 @@ SHOW = TICKS
 """How long the decided stroke is shown before it is made."""
 GLANCE = TICKS // 5
 """How often what it intends is shown while it changes."""
-HURRY = ("skip", "shoot", "fire", "stop", "next")
-"""What a person does while the computer thinks that means: strike now."""
-AIMING = (
-    "edit", "clear", "type", "erase", "delete", "caret", "enter", "leave", "set", "turn", "power",
-    "push", "tip", "nudge", "centre", "elevate", "tilt", "thick", "thicker",
-)  # fmt: skip
-"""What a person does for the next stroke: not on the computer's turn."""
 PLACES = 4
 """Decimals of its numbers: what is in the boxes is exactly what is struck."""
 
@@ -45,8 +39,8 @@ PLACES = 4
 class Thinker:
     """Plays the computer's turns; `think` once a frame gives what it wants done."""
 
-    def __init__(self, game: Game, seed: int = 0, virtual: bool = False) -> None:
-        self.game, self.seed, self.virtual = game, seed, virtual
+    def __init__(self, session: Session, seed: int = 0, virtual: bool = False) -> None:
+        self.session, self.seed, self.virtual = session, seed, virtual
         self.mind: Opponent | None = None
         self._about: tuple[Match, int, int] | None = None
         self._hurried = False
@@ -56,8 +50,8 @@ class Thinker:
     @property
     def on(self) -> bool:
         """Is the computer at the table, with nothing else on show that holds the game?"""
-        game, contest = self.game, self.game.contest
-        held = game.paused or game.moving or game.held
+        session, contest = self.session, self.session.contest
+        held = session.paused or session.moving or session.held
         return contest is not None and contest.level is not None and not held
 
     def takes(self, action: Action) -> bool:
@@ -65,12 +59,13 @@ class Thinker:
 
         While that turn is paused too: nobody plays the computer's stroke for it.
         """
-        contest = self.game.contest
-        if contest is None or contest.level is None or self.game.moving or self.game.held:
+        contest = self.session.contest
+        if contest is None or contest.level is None or self.session.moving or self.session.held:
             return False
-        if action.name in HURRY and self.on:
+        command = COMMANDS[action.name]
+        if command.hurries and self.on:
             self.hurry()
-        return action.name in HURRY or action.name in AIMING
+        return command.hurries or command.aims
 
     def hurry(self) -> None:
         """Strike at once with the best found so far."""
@@ -83,16 +78,15 @@ class Thinker:
             return None
         self._take_up()
         assert self.mind is not None
-        contest, now = self.game.contest, self.game.tick
+        contest, now = self.session.contest, self.session.tick
         assert contest is not None
         if not (self.mind.done or self._hurried):
             self.mind.think(*self._budget())
-        contest.thinking = not self.mind.done
-        if self.mind.intent.copies:
-            contest.share = self.mind.intent.share
+        intent = self.mind.intent
+        self.session.muse(not self.mind.done, intent.share if intent.copies else None)
         if self._hurried:
             return self._strike()
-        if self.game.shown_shot:
+        if self.session.shown_shot:
             return Action("next") if now - self._since >= LOOK else None
         return self._show(now)
 
@@ -100,28 +94,28 @@ class Thinker:
         return (STEPS - 0.5, count().__next__) if self.virtual else (BUDGET, perf_counter)
 
     def _rest(self) -> None:
-        contest = self.game.contest
+        contest = self.session.contest
         if contest is not None and contest.level is None:
-            contest.thinking = False
-        if self.game.moving or contest is None:
+            self.session.muse(False, None)
+        if self.session.moving or contest is None:
             self.mind = self._about = None
             self._hurried = False
 
     def _take_up(self) -> None:
         """Begin to think about the table as it lies, unless that is what it does already."""
-        game, contest = self.game, self.game.contest
+        session, contest = self.session, self.session.contest
         assert contest is not None
         assert contest.level is not None
-        about = contest.match, game.stamp, id(game.world)
+        about = contest.match, session.stamp, id(session.world)
         if about == self._about and self.mind is not None:
             return
         self._about, self._hurried = about, False
         seed = self.seed * 1_000_003 + sum(sheet.strokes for sheet in contest.match.sheets)
-        world = game.world.copy()
+        world = session.world.copy()
         world.engine = EventDriven()  # fixed steps would take a hundred times as long
         self.mind = Opponent(world, contest.match, contest.level, seed, EFFORT)
         self._rng = Random(seed + 1)
-        self._since = self._shown_at = game.tick
+        self._since = self._shown_at = session.tick
         self._decided, self._shown = 0, None
 
     def _show(self, now: int) -> Action | None:

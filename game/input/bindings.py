@@ -1,7 +1,7 @@
 """Keys: which one does what, as the player has set them.
 
-Keys that move between boxes or mend what is in them are fixed. Every other action of the tables in
-`key_tables` has one key, and the player may choose another one for it.
+Keys that move between boxes or mend what is in them are fixed. Every other one of the
+table of commands does one thing, and the player may choose another key for that.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import pygame
 
 from game.session.action import Action
 
-from .key_tables import ALWAYS, PLAY
+from .key_tables import ALWAYS, CODES, NAMES, PLAY
 
 
 def _codes(*names: str) -> frozenset[int]:
@@ -37,11 +37,6 @@ TYPE = (
 )
 """Keys that type into a text field that is being edited, or move its caret."""
 
-_CONSTANTS = sorted((n[2:].lower(), c) for n, c in vars(pygame).items() if n.startswith("K_"))
-CODES: dict[str, int] = dict(_CONSTANTS)
-NAMES: dict[int, str] = {code: name for name, code in reversed(_CONSTANTS)}
-"""Keys by pygame's names for them and back, small letters: "left" "f1" "period" "p"."""
-
 
 class Binding(NamedTuple):
     """An action, the key it has by default, and whether that works in boxes too."""
@@ -51,17 +46,12 @@ class Binding(NamedTuple):
     always: bool
 
 
-def ident(action: Action) -> str:
-    """Return the name of an action in the settings: "pause", or "edit 0" if it has a value."""
-    return action.name if action.value is None else f"{action.name} {action.value}"
-
-
 def _bindings() -> dict[str, Binding]:
     found: dict[str, Binding] = {}
     for table, always in ((PLAY, False), (ALWAYS, True)):
         for code, action in table.items():
             if code not in FIXED:
-                found.setdefault(ident(action), Binding(action, NAMES[code], always))
+                found.setdefault(action.ident, Binding(action, NAMES[code], always))
     return found
 
 

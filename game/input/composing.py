@@ -14,7 +14,7 @@ import pygame
 from .editing import COMMAND
 
 OWN = (pygame.K_BACKSPACE, pygame.K_DELETE, pygame.K_ESCAPE)
-"""Keys with which the input method changes what it composes, whoever else is told of them."""
+"""Keys with which the input method changes what it composes, whatever else gets them too."""
 HELD = frozenset(
     getattr(pygame, f"K_{name}") for name in (
         "LSHIFT", "RSHIFT", "LCTRL", "RCTRL", "LALT", "RALT", "LMETA", "RMETA", "CAPSLOCK",

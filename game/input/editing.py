@@ -5,9 +5,8 @@ from __future__ import annotations
 import pygame
 
 from game.session.action import Action
+from game.text.text_field import TextField
 from game.window import clipboard
-
-from .text_field import TextField
 
 COMMAND = pygame.KMOD_CTRL | pygame.KMOD_META
 STEPS = {

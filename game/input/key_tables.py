@@ -8,61 +8,38 @@ import pygame
 
 from game.aim.entry import BOXES, typed
 from game.session.action import Action
+from game.session.commands import TABLE
 
-ALWAYS = {
-    pygame.K_F1: Action("help"),
-    pygame.K_F2: Action("language"),
-    pygame.K_F3: Action("settings"),
-    pygame.K_F4: Action("sheet", "shelf"),
-    pygame.K_F5: Action("sheet", "rules"),
-    pygame.K_F10: Action("sheet", "menu"),
-}
-PLAY = {
-    pygame.K_LEFT: Action("edit", 0),
-    pygame.K_RIGHT: Action("clear"),
-    pygame.K_DOWN: Action("place"),
-    pygame.K_SPACE: Action("stop"),
-    pygame.K_RETURN: Action("shoot"),
-    pygame.K_KP_ENTER: Action("shoot"),
-    pygame.K_TAB: Action("edit", 0),
-    pygame.K_p: Action("pause"),
-    pygame.K_PERIOD: Action("frame"),
-    pygame.K_e: Action("engine"),
-    pygame.K_l: Action("law"),
-    pygame.K_r: Action("retry"),
-    pygame.K_a: Action("aids"),
-    pygame.K_m: Action("mute"),
-    pygame.K_END: Action("skip"),
-    pygame.K_HOME: Action("home"),
-    pygame.K_COMMA: Action("back"),
-    pygame.K_LEFTBRACKET: Action("faster", -1),
-    pygame.K_RIGHTBRACKET: Action("faster", 1),
-    pygame.K_z: Action("undo"),
-    pygame.K_y: Action("redo"),
-    pygame.K_q: Action("turn", "1"),
-    pygame.K_w: Action("turn", "-1"),
-    pygame.K_PAGEUP: Action("push", "0.5"),
-    pygame.K_PAGEDOWN: Action("push", "-0.5"),
-    pygame.K_t: Action("thicker", 1),
-    pygame.K_c: Action("centre"),
-    pygame.K_f: Action("fan"),
-    pygame.K_n: Action("both"),
-    pygame.K_b: Action("arrange"),
-    pygame.K_ESCAPE: Action("sheet", "menu"),
-}
+_CONSTANTS = sorted((n[2:].lower(), c) for n, c in vars(pygame).items() if n.startswith("K_"))
+CODES: dict[str, int] = dict(_CONSTANTS)
+NAMES: dict[int, str] = {code: name for name, code in reversed(_CONSTANTS)}
+"""Keys by pygame's names for them and back, small letters: "left" "f1" "period" "p"."""
+
+
+def usual(*, always: bool) -> dict[int, Action]:
+    """What keys do by default: those that work everywhere, or those of play."""
+    return {
+        CODES[key.name]: Action(command.name, key.value)
+        for command in TABLE
+        for key in command.keys
+        if key.always == always
+    }
+
+
+ALWAYS, PLAY = usual(always=True), usual(always=False)
 EDITING = {
     pygame.K_RETURN: Action("enter"),
     pygame.K_KP_ENTER: Action("enter"),
     pygame.K_ESCAPE: Action("leave"),
 }
 
-FINER = {"turn": ("0.1", "0.01"), "push": ("0.1", "0.01")}
+FINER = {command.name: command.finer for command in TABLE if command.finer}
 """What these take a step of with Shift and with Ctrl, degrees and m/s."""
 SHIFTED = {
-    Action("frame"): Action("event", 1),
-    Action("back"): Action("event", -1),
-    Action("undo"): Action("redo"),
-    Action("thicker", 1): Action("thicker", -1),
+    Action(command.name, key.value): key.shift
+    for command in TABLE
+    for key in command.keys
+    if key.shift is not None
 }
 SIDEWAYS = {pygame.K_LEFT: 1, pygame.K_RIGHT: -1}
 CUE = {
@@ -78,8 +55,6 @@ FIRST = frozenset("0123456789+-")
 """Characters with which an entry may begin in play."""
 KEYPAD = {getattr(pygame, f"K_KP{n}"): str(n) for n in range(10)}
 """Digits of the number pad: without text input they come without a character."""
-HELD = frozenset({"turn", "push", "nudge", "tilt", "frame", "back", "erase", "delete", "caret"})
-"""Actions that go on while their key is held."""
 
 
 def of_key(

@@ -12,18 +12,22 @@ SLACK = 3
 
 @dataclass(slots=True)
 class Pointer:
-    """`over` is the name of the part under the mouse; `held` the part that was pressed."""
+    """The mouse in the window.
+
+    over      name of the panel under it
+    held      name of the panel that was pressed
+    pressing  is it a press that is being answered, rather than a drag?
+    grip      what the held panel has kept from the press
+    began     where the press was
+    stirred   has the mouse moved since, by more than a hand that only clicks?
+    """
 
     over: str = ""
     held: str = ""
     pressing: bool = False
-    """Is it a press that is being answered, rather than a drag?"""
     grip: object = None
-    """What the held part has kept from the press."""
     began: tuple[int, int] = (0, 0)
-    """Where the press was."""
     stirred: bool = False
-    """Has the mouse moved since, by more than a hand that only clicks?"""
 
     @property
     def down(self) -> bool:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import pygame
 
 from game.session.action import Action
+from game.session.commands import COMMANDS
 from game.session.ticks import TICKS
-
-from .key_tables import HELD
 
 FIRST, NEXT = TICKS * 3 // 10, TICKS // 25
 """Ticks until a held key does it again, and then every time."""
@@ -21,13 +20,14 @@ class Repeat:
         self._action: Action | None = None
         self._left = 0
         self.event = pygame.event.Event(pygame.NOEVENT)
-        """The KEYDOWN, for whoever is to get it again."""
+        """The KEYDOWN, to be handled again."""
 
     def press(
         self, key: int, action: Action | None, event: pygame.event.Event | None = None
     ) -> None:
         """A key has been pressed that means an action."""
-        held = action is not None and action.name in HELD
+        command = COMMANDS.get(action.name) if action is not None else None
+        held = command is not None and command.repeats
         self._key, self._action, self._left = (key if held else None), action, FIRST
         self.event = event or self.event
 

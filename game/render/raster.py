@@ -19,14 +19,17 @@ from .theme import Colour
 
 
 class Touched(NamedTuple):
-    """Pixels beside a stroke, one entry a pixel and segment: all are 1-D and of equal length."""
+    """Pixels beside a stroke, one entry a pixel and segment: all are 1-D and of equal length.
+
+    x, y   of the pixel
+    away   distance from the stroke's middle line, px
+    along  distance from the stroke's beginning, px
+    """
 
     x: Indices
     y: Indices
     away: Floats
-    """Distance from the stroke's middle line, px."""
     along: Floats
-    """Distance from the stroke's beginning, px."""
 
 
 def touched(points: Points, reach: float, clip: pygame.Rect) -> Touched:
@@ -77,16 +80,19 @@ def _columns(
 
 
 class Beside(NamedTuple):
-    """Pixels beside one straight stroke, each once: all are 1-D and of equal length."""
+    """Pixels beside one straight stroke, each once: all are 1-D and of equal length.
+
+    x, y    of the pixel
+    away    distance from the stroke, px: its ends are round
+    along   distance from the stroke's beginning to the nearest point of the stroke, px
+    across  distance from the endless line, px; positive on the side that is clockwise on screen
+    """
 
     x: Indices
     y: Indices
     away: Floats
-    """Distance from the stroke, px: its ends are round."""
     along: Floats
-    """Distance from the stroke's beginning to the nearest point of the stroke, px."""
     across: Floats
-    """Distance from the endless line, px; positive on the side that is clockwise on screen."""
 
 
 def beside(

@@ -57,12 +57,16 @@ CUE_WRAP = rgb("#23262B")
 
 @dataclass(frozen=True)
 class BallLook:
-    """How one ball looks: body, marks, its colour in traces and lists, its dashes and its letter.
+    """How one ball looks.
 
-    `marks` are intervals of a direction's coordinate on the ball (0 to 1) painted in `mark`.  With
-    `banded` it is the distance from the equator plane, so intervals are bands; without, it is the
-    largest of the three distances, so an interval that ends at 1 is six dots.
-    `dashes` are px at s = 1: on, off, ...; empty is solid.
+    body    colour of the ball
+    mark    colour of what is painted on it
+    ui      its colour in traces and lists
+    letter  beside its colour in the colour-blind set
+    marks   intervals of a direction's coordinate on the ball (0 to 1) painted in `mark`
+    banded  that coordinate is the distance from the equator plane, so intervals are bands; without,
+            it is the largest of the three distances, so an interval that ends at 1 is six dots
+    dashes  of its traces, px at s = 1: on, off, ...; empty is solid
     """
 
     body: Colour

@@ -19,9 +19,9 @@ from typing import Any
 
 from game.options import Options, of_setup
 from game.session.action import Action
-from game.session.session import Game
+from game.session.commands import fault
+from game.session.session import Session
 from game.session.ticks import TICKS
-from game.session.values import fault
 from game.settings import user_files
 from game.table.presets import EDITIONS
 from game.text.quoting import in_a_line, shortly
@@ -38,10 +38,10 @@ class RecordError(ValueError):
     """A record that cannot be read or played: the message names the file and the line."""
 
 
-def digest(game: Game) -> str:
+def digest(session: Session) -> str:
     """Return a hash of where all balls are and how they move, to the last bit."""
     found = blake2b(digest_size=16)
-    for ball in game.world.balls:
+    for ball in session.world.balls:
         found.update(ball.name.encode())
         # adding 0.0 makes one zero of both
         found.update(struct.pack("<7d", *(n + 0.0 for n in _state(ball))))
@@ -70,41 +70,50 @@ class Witness:
     before; or when one stops them or puts them elsewhere, which tells how they were and are.
     """
 
-    def __init__(self, game: Game, tell: Callable[[int, str], None]) -> None:
-        self.game, self.tell = game, tell
-        self._moving = game.moving
+    def __init__(self, session: Session, tell: Callable[[int, str], None]) -> None:
+        self.session, self.tell = session, tell
+        self._moving = session.moving
         self._before: tuple[str, object] | None = None
 
     def before(self) -> None:
         """An action is about to be done."""
-        self._before = (digest(self.game), self._shot) if self.game.moving else None
+        self._before = (digest(self.session), self._shot) if self.session.moving else None
 
     def after(self) -> None:
         """The action has been done."""
-        game = self.game
+        session = self.session
         if self._before is not None:
             found, shot = self._before
-            if not game.moving:
-                both = (found + digest(game)).encode()
-                self.tell(game.tick, blake2b(both, digest_size=16).hexdigest())
+            if not session.moving:
+                both = (found + digest(session)).encode()
+                self.tell(session.tick, blake2b(both, digest_size=16).hexdigest())
             elif shot != self._shot:
-                self.tell(game.tick, found)
-        self._moving = game.moving
+                self.tell(session.tick, found)
+        self._moving = session.moving
 
     def passed(self) -> None:
         """Time has passed."""
-        if self._moving and not self.game.moving:
-            self.tell(self.game.tick, digest(self.game))
-        self._moving = self.game.moving
+        if self._moving and not self.session.moving:
+            self.tell(self.session.tick, digest(self.session))
+        self._moving = self.session.moving
 
     @property
     def _shot(self) -> object:
-        return self.game.shots, self.game.began
+        return self.session.shots, self.session.began
 
 
 @dataclass(slots=True)
 class Record:
-    """What a file holds; `end` is (tick, digest), or None if the game was cut off."""
+    """What the file of a record holds.
+
+    name     of the file
+    setup    how the game began
+    built    what it was recorded with
+    actions  with their ticks
+    shots    the digest after each
+    end      (tick, digest), None if the game was cut off
+    last     tick of the last line
+    """
 
     name: str
     setup: Options
@@ -113,7 +122,6 @@ class Record:
     shots: list[str] = field(default_factory=list)
     end: tuple[int, str] | None = None
     last: int = 0
-    """Tick of the last line."""
 
 
 def read(path: str, options: Options) -> Record:

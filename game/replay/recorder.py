@@ -11,7 +11,7 @@ from io import FileIO
 from game.contradictions import VIEW
 from game.options import Options
 from game.session.action import Action
-from game.session.session import Game, Notice
+from game.session.session import Session
 from game.session.ticks import TICKS, seconds
 from game.settings import user_files
 
@@ -26,15 +26,15 @@ class Recorder:
     what has been written stays a record that was cut off; `fault` says why.
     """
 
-    def __init__(self, path: str, options: Options, game: Game) -> None:
-        self.path, self.game, self.shots = path, game, 0
+    def __init__(self, path: str, options: Options, session: Session) -> None:
+        self.path, self.session, self.shots = path, session, 0
         self.fault = ""
         self.closed = self._noticed = False
         self._file: FileIO | None = None
-        self.witness = Witness(game, self._shot)
+        self.witness = Witness(session, self._shot)
         begun = {k: v for k, v in asdict(options).items() if k not in VIEW}
         head = {"format": FORMAT, "version": VERSION, "with": built_with(), "ticks": TICKS}
-        self._head = _data({**head, "edition": game.edition, "setup": begun})
+        self._head = _data({**head, "edition": session.edition, "setup": begun})
         try:
             user_files.insist_on_room(path)
         except OSError as error:
@@ -44,7 +44,7 @@ class Recorder:
         """An action is about to be done."""
         if action.name != "quit":
             said = [action.name] if action.value is None else [action.name, action.value]
-            self._write({"tick": self.game.tick, "do": said})
+            self._write({"tick": self.session.tick, "do": said})
         self.witness.before()
 
     def after(self) -> None:
@@ -60,7 +60,7 @@ class Recorder:
     def close(self) -> None:
         """Write the end; nothing can be noted after it."""
         if not self.closed:
-            self._write({"tick": self.game.tick, "end": digest(self.game)})
+            self._write({"tick": self.session.tick, "end": digest(self.session)})
             self._close()
 
     def _shot(self, tick: int, found: str) -> None:
@@ -74,7 +74,7 @@ class Recorder:
             self._file = self._file or user_files.begun(self.path, self._head)
             _append(self._file, _data(line))
         except OSError as error:
-            when = f"at {seconds(self.game.tick):.1f} s"
+            when = f"at {seconds(self.session.tick):.1f} s"
             self.fault = f"record {self.path!r} was cut off {when}: {error.strerror or error}"
             self._close()
 
@@ -88,9 +88,7 @@ class Recorder:
         """Say once in the window that the game is not recorded any more."""
         if self.fault and not self._noticed:
             self._noticed = True
-            self.game.notice = Notice("record.cut", error=True)
-            self.game.news += 1
-            self.game.version += 1
+            self.session.say("record.cut", error=True)
 
 
 def _data(line: dict[str, object]) -> bytes:

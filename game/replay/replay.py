@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from game.session.action import Action
-from game.session.session import Game
+from game.session.commands import perform
+from game.session.session import Session
 from game.session.ticks import TICKS
 from game.text.quoting import in_a_line, shortly
 
@@ -17,7 +18,7 @@ LONGEST_ROLL = 3600.0
 
 
 @contextmanager
-def excused(name: str, game: Game | None = None) -> Iterator[None]:
+def excused(name: str, session: Session | None = None) -> Iterator[None]:
     """Turn whatever goes wrong while a record is played into a RecordError that names it.
 
     A record may be written by hand, and say what no player could do: so any error is the record's.
@@ -27,7 +28,7 @@ def excused(name: str, game: Game | None = None) -> Iterator[None]:
     except RecordError:
         raise
     except Exception as error:
-        when = f" after tick {game.tick}" if game is not None else ""
+        when = f" after tick {session.tick}" if session is not None else ""
         raise RecordError(f"{name}: cannot be played{when} ({_why(error)})") from error
 
 
@@ -39,15 +40,15 @@ def _why(error: Exception) -> str:
 class Replay:
     """A record that is being played into a game that began as the record says."""
 
-    def __init__(self, record: Record, game: Game) -> None:
-        self.record, self.game = record, game
+    def __init__(self, record: Record, session: Session) -> None:
+        self.record, self.session = record, session
         self.paused = self.done = False
         self.shots = 0
         """How many shots are over."""
         self.differs: int | None = None
         """The first shot that came out differently, from 1, or one more than the last: the end."""
         self._next = 0
-        self.witness = Witness(game, self._shot)
+        self.witness = Witness(session, self._shot)
 
     @property
     def end(self) -> int:
@@ -72,7 +73,11 @@ class Replay:
     def passed(self) -> None:
         """Time has passed."""
         self.witness.passed()
-        if not self.done and self.game.tick >= self.end and self._next == len(self.record.actions):
+        if (
+            not self.done
+            and self.session.tick >= self.end
+            and self._next == len(self.record.actions)
+        ):
             self._conclude()
 
     def close(self) -> None:
@@ -81,19 +86,21 @@ class Replay:
     def perform(self, action: Action) -> None:
         """Do an action of the record; RecordError if there is none like it."""
         try:
-            self.game.perform(action)
+            perform(self.session, action)
         except Exception as error:
-            what = f"{self.record.name}: cannot do {shortly(list(action))} at tick {self.game.tick}"
+            what = (
+                f"{self.record.name}: cannot do {shortly(list(action))} at tick {self.session.tick}"
+            )
             raise RecordError(f"{what} ({_why(error)})") from error
 
-    def roll(self, tick: int) -> None:
+    def play_to(self, tick: int) -> None:
         """Let time pass up to a tick at once; RecordError if that would take too long."""
-        game, since = self.game, self.game.world.time
-        while game.tick < tick:
-            left = tick - game.tick
-            game.advance(min(left, TICKS) if _steps(game) else left)
+        session, since = self.session, self.session.world.time
+        while session.tick < tick:
+            left = tick - session.tick
+            session.advance(min(left, TICKS) if _steps(session) else left)
             self.passed()
-            if _steps(game) and game.world.time - since > LONGEST_ROLL:
+            if _steps(session) and session.world.time - since > LONGEST_ROLL:
                 still = f"the balls still roll {LONGEST_ROLL:g} s later"
                 raise RecordError(f"{self.record.name}: {still}, and there is no action to end it")
 
@@ -113,7 +120,7 @@ class Replay:
         self.done = True
         end = self.record.end
         missing = self.shots < len(self.record.shots)
-        if self.differs is None and (missing or (end and end[1] != digest(self.game))):
+        if self.differs is None and (missing or (end and end[1] != digest(self.session))):
             self.differs = self.shots + 1
 
     @property
@@ -137,20 +144,20 @@ class Replay:
         return f"the same, shots: {self.shots}{cut}"
 
 
-def _steps(game: Game) -> bool:
+def _steps(session: Session) -> bool:
     """Does time cost work for as long as it lasts?  Exact events run out, fixed steps do not."""
-    return game.engine != "exact" and game.moving and not (game.held or game.paused)
+    return session.engine != "exact" and session.moving and not (session.held or session.paused)
 
 
-def headless(record: Record, game: Game) -> Replay:
+def headless(record: Record, session: Session) -> Replay:
     """Play a record without a window, as fast as it goes; RecordError where that cannot be."""
-    replay = Replay(record, game)
-    with excused(record.name, game):
+    replay = Replay(record, session)
+    with excused(record.name, session):
         for tick, action in replay.due(record.last):
-            replay.roll(tick)
+            replay.play_to(tick)
             replay.before(action)
             replay.perform(action)
             replay.after()
-        replay.roll(record.last)
+        replay.play_to(record.last)
         replay.passed()
     return replay

@@ -22,7 +22,7 @@ class ScriptError(ValueError):
     """A script that cannot be read: the message names file and line."""
 
 
-class Line(NamedTuple):
+class ScriptLine(NamedTuple):
     """Events to be handled at a tick."""
 
     tick: int
@@ -32,10 +32,10 @@ class Line(NamedTuple):
 class Script:
     """The lines of a script that are still to come."""
 
-    def __init__(self, lines: list[Line]) -> None:
+    def __init__(self, lines: list[ScriptLine]) -> None:
         self._lines = lines[::-1]
 
-    def due(self, tick: int) -> Iterator[Line]:
+    def due(self, tick: int) -> Iterator[ScriptLine]:
         """Take the lines up to and including `tick`, in their order."""
         while self._lines and self._lines[-1].tick <= tick:
             yield self._lines.pop()
@@ -54,13 +54,13 @@ def read(path: str) -> Script:
 
 def parse(text: str, name: str = "script") -> Script:
     """Return the script written in `text`."""
-    lines: list[Line] = []
+    lines: list[ScriptLine] = []
     for number, raw in enumerate(text.split("\n"), 1):
         words = raw.split("#", 1)[0].split()
         if not words:
             continue
         try:
-            line = Line(_tick(words[0]), tuple(_events(words[1:])))
+            line = ScriptLine(_tick(words[0]), tuple(_events(words[1:])))
             if lines and line.tick < lines[-1].tick:
                 raise ValueError("the time is before that of the line above")
         except ValueError as error:

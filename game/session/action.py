@@ -6,16 +6,17 @@ from typing import NamedTuple
 
 
 class Action(NamedTuple):
-    """One thing the player wants; `value` is its argument, if it has one.
-
-    edit BOX · clear · type TEXT · erase · delete · caret WHERE · enter · leave · shoot · fire ·
-    place · stop · retry ·
-    pause · frame · back · event WAY · scrub TICKS · home · skip · faster STEPS · undo · redo ·
-    turn DEGREES · power SPEED · push SPEED · tip "RIGHT UP" · nudge "RIGHT UP" · centre ·
-    elevate DEGREES · tilt DEGREES · thick EIGHTHS · thicker WAY · set "BOX NUMBER ..." ·
-    fan · help · settings · quit ·
-    engine KEY · law KEY · cloth KEY · table KEY · language KEY (no key: the next one)
-    """
+    """One thing that is to be done: a command's name, and its value if it takes one."""
 
     name: str
     value: str | int | None = None
+
+    @property
+    def arguments(self) -> tuple[str | int, ...]:
+        """The value, if there is one: to be handed to what does it."""
+        return () if self.value is None else (self.value,)
+
+    @property
+    def ident(self) -> str:
+        """What settings and texts call it: "pause", or "edit 0" if it has a value."""
+        return self.name if self.value is None else f"{self.name} {self.value}"

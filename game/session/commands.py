@@ -1,124 +1,231 @@
-"""What menu, shelf and computer do to a game: actions like a player's, each a function of it."""
+"""Every command of the game: one table, and what each does to the session.
+
+To add one: a line in TABLE, and its words in both languages ("key." and its name, if it has a key).
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator
+from typing import Any
 
-from game.aim.entry import BOXES
-from game.table import lineup, placing, presets
-from physics import World
+from game.aim import edit, thickness
+from game.aim.entry import BOXES, Aim
+from game.table import lineup, presets
+from game.text import LANGUAGES
+from game.text.quoting import shortly
 
-from . import equipment, terms
-from .running_match import Contest
+from . import play_commands as play
+from . import table_commands as table
+from . import terms
+from .action import Action
+from .command import Command, HelpRow, Key
+from .session import Session
+from .values import (
+    BOX_NUMBERS,
+    FARTHEST,
+    MOST_STEPS,
+    PLACE,
+    line,
+    numbers,
+    one_of,
+    text,
+    whole,
+)
 
-if TYPE_CHECKING:
-    from .session import Game
-
-
-def sheet(game: Game, name: str = "") -> None:
-    """Lay a page over the table ("menu" "shelf" "rules" "settings"), or take it away ("")."""
-    game.sheet = "" if game.sheet == name else name
-    game.aim.leave()
-
-
-def match(game: Game, line: str) -> None:
-    """Begin what a fixture says; ValueError for a line that is none."""
-    wanted = terms.read(line)
-    game.sheet = ""
-    if wanted.game != terms.FREE:
-        game.engine = wanted.engine
-    _begin(game, wanted.world(), wanted.table)
-    if wanted.law != "table":
-        equipment.law(game, wanted.law)
-    if wanted.cloth != "table":
-        equipment.cloth(game, wanted.cloth)
-    game.contest = Contest.of(wanted)
-    if game.contest is not None:
-        game.contest.seat(game)
-        game.contest.given = False
-        game.contest.give_boxes(game)
-        game.aim.finish()
+LAST = 99
+"""Place of a row that has not been given any."""
+PAGES = ("", "settings", "menu", "shelf", "rules", "ask")
+"""What may lie over the table: "ask" is a question alone."""
 
 
-def _begin(game: Game, world: World, table: str) -> None:
-    """Play on another table with the engine that was in use."""
-    game.begin(world, table)
-    equipment.engine(game, game.engine)
+def perform(session: Session, action: Action, player: object = None) -> None:
+    """Do an action, to the session or to the player's settings; KeyError if there is none like it.
 
-
-def show_next(game: Game) -> None:
-    """Show the coming stroke in place of the last one."""
-    game.show_aim()
-    game.aim.leave()
-    game.aim.finish()
-
-
-def intend(game: Game, numbers: str) -> None:
-    """Write five numbers into the boxes: the stroke that the computer means to play."""
-    words = numbers.split()
-    if len(words) == len(BOXES) and not game.moving:
-        game.shown_shot = False
-        game.aim.leave()
-        game.aim.texts = words
-        game.aim.finish()
-
-
-def play(game: Game, numbers: str) -> None:
-    """Strike with five numbers: the stroke as the computer carries it out."""
-    intend(game, numbers)
-    if game.aim.shot is not None:
-        game.strike()
-
-
-# -- practice ------------------------------------------------------------------------------------
-
-
-def arrange(game: Game) -> None:
-    """Begin or end placing balls by hand; the balls of a match are not touched."""
-    if game.contest is not None and not game.contest.match.finished:
-        game.refuse("match")
-    elif game.moving:
-        game.refuse("moving")
-    else:
-        game.arranging = not game.arranging
-        game.shown_shot = False
-        game.aim.leave()
-
-
-def hold(game: Game, name: str) -> None:
-    """Take the ball that keys and mouse move."""
-    if name in {ball.name for ball in game.world.balls}:
-        game.held_ball = name
-
-
-def move(game: Game, to: str) -> None:
-    """Move the ball in hand to "X Y" metres, or as near as there is room."""
-    if not game.arranging:
+    Without `player` there are no commands that only a player has.
+    """
+    command = COMMANDS[action.name]
+    if command.own:
+        if player is None:
+            raise KeyError(action.name)
+        command.do(player, *action.arguments)
         return
-    x, y = map(float, to.split())
-    place = placing.slid(game.world, game.held_ball, (x, y))
-    if place != game.world.ball(game.held_ball).position:
-        held = game.held_ball
-        game.lay([place if b.name == held else b.position for b in game.world.balls])
+    if not command.keeps_notice:
+        session.notice = None
+    before = session.snapshot()
+    command.do(session, *action.arguments)
+    if _is_step(command, session, before.moving) or session.world is not before.world:
+        session.history.note(before, session.snapshot())
+    session.did = action.name
+    session.version += 1
+    session.news += 1
 
 
-def line(game: Game, text: str) -> None:
-    """Lay the balls as a line of text says, with its shot in the boxes; LineError if it is none."""
-    found = lineup.read(text)
-    game.sheet = ""
-    names = [name for name, _ in found.balls]
-    if game.contest or found.table != game.table or names != [b.name for b in game.world.balls]:
-        _begin(game, found.world(), found.table)
-    else:
-        game.lay([place for _, place in found.balls])
-    game.shown_shot = False
-    if found.texts:
-        game.aim.texts = list(found.texts)
-    game.aim.leave()
-    game.aim.finish()
+def _is_step(command: Command, session: Session, moving: bool) -> bool:
+    """Is what was done a step to undo?  In a match nothing is while balls move."""
+    if not command.step or (command.drags and command.name == session.did):
+        return False
+    return session.contest is None or not moving
 
 
-def scene(game: Game, name: str) -> None:
-    """Begin with a scene of the physics package; KeyError if there is none of that name."""
-    game.sheet = ""
-    _begin(game, presets.scene_world(name), name)
+def fault(action: Action) -> str:
+    """Say what is wrong with an action that a record says was done, or ""."""
+    command = RECORDED.get(action.name) if isinstance(action.name, str) else None
+    if command is None:
+        return f"there is no action {shortly(list(action))}"
+    wanted = command.fault(action.value)
+    said = "nothing" if action.value is None else shortly(action.value)
+    return f"{action.name} takes {wanted}, not {said}" if wanted else ""
+
+
+def _own(name: str) -> Callable[..., None]:
+    """A method of the player's settings as a command."""
+
+    def do(player: object, *value: object) -> None:
+        getattr(player, name)(*value)
+
+    return do
+
+
+def _aims(name: str, change: Callable[..., str | None], *how: Any, **more: Any) -> Command:
+    """A command that writes the coming stroke."""
+    return Command(name, play.aimed(change), *how, **more)._replace(aims=True)
+
+
+_SHOT = numbers('"V FOLLOW MASSE SIDE ANGLE"', len(BOXES))
+_KEY = text("KEY")
+_WAY = whole("WAY", -1, 1)
+TABLE = (
+    Command("edit", play.edit_box, whole("BOX", 0, len(BOXES) - 1), (Key("left", 0), Key("tab", 0)),
+            (HelpRow("play", 1, "@edit 0", "help.left"),
+             HelpRow("box", 5, "Tab, Shift", "help.tab")), aims=True),
+    Command("clear", play.clear, keys=(Key("right"),),
+            rows=(HelpRow("play", 2, "@clear", "help.right"),), aims=True),
+    Command("place", table.place, keys=(Key("down"),),
+            rows=(HelpRow("play", 6, "@place", "help.down"),)),
+    Command("stop", play.stop, keys=(Key("space"),),
+            rows=(HelpRow("play", 7, "@stop", "help.space"),), hurries=True),
+    Command("shoot", play.shoot, keys=(Key("return"), Key("kp_enter")),
+            rows=(HelpRow("play", 4, "name.enter", "help.return"),), hurries=True),
+    Command("pause", play.pause, keys=(Key("p"),), step=False,
+            rows=(HelpRow("time", 1, "@pause", "help.pause"),)),
+    Command("frame", play.frame, keys=(Key("period", shift=Action("event", 1)),),
+            rows=(HelpRow("time", 3, "@back @frame", "help.frame"),), step=False, repeats=True),
+    Command("engine", table.said(table.use_engine, "engine"), one_of("KEY", presets.ENGINES),
+            (Key("e"),), (HelpRow("play", 9, "@engine", "help.engine"),), kept=True,
+            ends_match="terms"),
+    Command("law", table.said(table.use_law, "law"), one_of("KEY", presets.LAWS), (Key("l"),),
+            (HelpRow("play", 10, "@law", "help.law"),), kept=True, ends_match="terms"),
+    Command("retry", play.retry, keys=(Key("r"),),
+            rows=(HelpRow("play", 8, "@retry", "help.retry"),)),
+    Command("aids", _own("aids"), _KEY, (Key("a"),), (HelpRow("aim", 8, "@aids", "help.aids"),),
+            own=True),
+    Command("mute", _own("mute"), keys=(Key("m"),), own=True,
+            rows=(HelpRow("always", 7, "@mute", "key.mute"),)),
+    Command("skip", play.skip, keys=(Key("end"),), step=False, hurries=True,
+            rows=(HelpRow("time", 5, "@home @skip", "help.skip"),)),
+    Command("home", play.home, keys=(Key("home"),), rows=(), step=False),
+    Command("back", play.back, keys=(Key("comma", shift=Action("event", -1)),), rows=(), step=False,
+            repeats=True),
+    Command("faster", play.faster, whole("STEPS", -MOST_STEPS, MOST_STEPS),
+            (Key("leftbracket", -1), Key("rightbracket", 1)),
+            (HelpRow("time", 2, "@faster -1 @faster 1", "help.rate"),), step=False),
+    Command("undo", play.undo, keys=(Key("z", shift=Action("redo")),),
+            rows=(HelpRow("time", 6, "@undo @redo", "help.undo"),), step=False),
+    Command("redo", play.redo, keys=(Key("y"),), rows=(), step=False),
+    _aims("turn", edit.turn, numbers("DEGREES", 1), (Key("q", "1"), Key("w", "-1")),
+          (HelpRow("aim", 1, "@turn 1 @turn -1", "help.turn"),
+           HelpRow("aim", 2, "Shift Ctrl+← →", "help.finer")), repeats=True, finer=("0.1", "0.01")),
+    _aims("push", edit.push, numbers("SPEED", 1), (Key("pageup", "0.5"), Key("pagedown", "-0.5")),
+          (HelpRow("aim", 3, "@push 0.5 @push -0.5", "help.push"),), repeats=True,
+          finer=("0.1", "0.01")),
+    Command("thicker", play.past(lambda now, way: thickness.neighbour(now, -way)), _WAY,
+            (Key("t", 1, shift=Action("thicker", -1)),),
+            (HelpRow("aim", 7, "@thicker 1", "help.thick"),), aims=True),
+    _aims("centre", edit.centre, keys=(Key("c"),),
+          rows=(HelpRow("aim", 6, "@centre", "help.centre"),)),
+    Command("fan", _own("fan"), keys=(Key("f"),), own=True,
+            rows=(HelpRow("aim", 9, "@fan", "help.fan"),)),
+    Command("both", _own("both"), keys=(Key("n"),), own=True,
+            rows=(HelpRow("always", 8, "@both", "key.both"),)),
+    Command("arrange", table.arrange, keys=(Key("b"),),
+            rows=(HelpRow("play", 11, "@arrange", "key.arrange"),)),
+    Command("help", table.keys, keys=(Key("f1", always=True),),
+            rows=(HelpRow("always", 1, "@help", "help.help"),), keeps_notice=True),
+    Command("language", table.language, one_of("KEY", LANGUAGES), (Key("f2", always=True),),
+            (HelpRow("always", 2, "@language", "help.language"),), kept=True, keeps_notice=True),
+    Command("settings", table.settings, keys=(Key("f3", always=True),),
+            rows=(HelpRow("always", 3, "@settings", "key.settings"),), keeps_notice=True),
+    Command("sheet", table.page, one_of("PAGE", PAGES),
+            (Key("f4", "shelf", always=True), Key("f5", "rules", always=True),
+             Key("f10", "menu", always=True), Key("escape", "menu")),
+            (HelpRow("always", 4, "@sheet shelf", "key.sheet shelf"),
+             HelpRow("always", 5, "@sheet rules", "key.sheet rules"),
+             HelpRow("always", 6, "@sheet menu", "key.sheet menu")), keeps_notice=True),
+    # what no key does that a player could choose
+    Command("type", play.type_into, text("TEXT"),
+            rows=(HelpRow("play", 3, "name.digits", "help.digit"),), aims=True),
+    Command("enter", play.enter, rows=(HelpRow("box", 1, "name.enter", "help.next"),), aims=True),
+    Command("erase", play.in_box(Aim.erase), rows=(HelpRow("box", 2, "name.back", "help.back"),),
+            aims=True, repeats=True),
+    Command("delete", play.in_box(Aim.delete), aims=True, repeats=True),
+    Command("caret", play.in_box(Aim.go), PLACE,
+            rows=(HelpRow("box", 3, "← → Home End", "help.caret"),
+                  HelpRow("box", 4, "Ctrl+A C X V", "help.paste")), aims=True, repeats=True),
+    Command("leave", play.in_box(Aim.leave), aims=True,
+            rows=(HelpRow("box", 6, "Esc", "help.esc"),)),
+    Command("fire", play.fire, hurries=True,
+            rows=(HelpRow("play", 5, "Ctrl+Enter", "help.ctrl"),)),
+    Command("event", play.event, _WAY, step=False,
+            rows=(HelpRow("time", 4, "Shift+@back @frame", "help.event"),)),
+    Command("scrub", play.seek, whole("TICKS", 0, FARTHEST), step=False),
+    _aims("set", edit.put, BOX_NUMBERS),
+    _aims("power", edit.power, numbers("SPEED", 1)),
+    _aims("tip", edit.tip, numbers('"RIGHT UP"', 2), repeats=True),
+    _aims("nudge", edit.nudge, numbers('"RIGHT UP"', 2), repeats=True,
+          rows=(HelpRow("aim", 4, "Alt+← → ↑ ↓", "help.tip"),)),
+    _aims("tilt", edit.tilt, numbers("DEGREES", 1), repeats=True,
+          rows=(HelpRow("aim", 5, "Alt+PgUp PgDn", "help.tilt"),)),
+    _aims("elevate", edit.elevate, numbers("DEGREES", 1)),
+    Command("thick", play.past(lambda now, eighths: eighths), whole("EIGHTHS", -7, 7), aims=True),
+    Command("next", play.show_next, keeps_notice=True, hurries=True),
+    Command("intend", play.intend, _SHOT, keeps_notice=True),
+    Command("play", play.play, _SHOT),
+    Command("hold", table.hold, text("BALL")),
+    Command("move", table.move, numbers('"X Y"', 2), drags=True),
+    Command("match", table.match, line("TERMS", terms.read, "the terms of a match"),
+            ends_match="begun"),
+    Command("line", table.line, line("LINE", lineup.read, "a set-up"), ends_match="always"),
+    Command("scene", table.scene, one_of("NAME", presets.SCENES, needed=True), ends_match="always"),
+    Command("cloth", table.use_cloth, one_of("KEY", presets.CLOTHS), kept=True, ends_match="terms"),
+    Command("table", table.table, one_of("KEY", presets.TABLES), kept=True, ends_match="always"),
+    Command("still", _own("still"), own=True),
+    Command("volume", _own("volume"), whole("0..10", 0, 10), own=True),
+    Command("colours", _own("colours"), _KEY, own=True),
+    Command("bind", _own("bind"), text('"COMMAND KEY"'), own=True),
+    Command("unbind", _own("unbind"), text("COMMAND"), own=True),
+    Command("quit", table.quit_game, ends_match="begun"),
+)  # fmt: skip
+"""In the order in which the settings page lists their keys."""
+COMMANDS = {command.name: command for command in TABLE}
+RECORDED = {name: one for name, one in COMMANDS.items() if not one.own and name != "quit"}
+"""What a record may hold: not the player's own settings, and its end is written otherwise."""
+Action.__doc__ = "\n    ".join((f"{Action.__doc__}\n", *(command.written() for command in TABLE)))
+
+
+def rows() -> dict[str, list[HelpRow]]:
+    """The rows of the page of keys by their sections, in their order."""
+    found: dict[str, list[HelpRow]] = {}
+    for row in sorted(_rows(), key=lambda row: row.place):
+        found.setdefault(row.section, []).append(row)
+    return found
+
+
+def _rows() -> Iterator[HelpRow]:
+    for command in TABLE:
+        if command.rows is not None:
+            yield from command.rows
+            continue
+        for key in command.keys:
+            ident = Action(command.name, key.value).ident
+            section = "aim" if command.aims else "always"  # there is room for more
+            yield HelpRow(section, LAST, f"@{ident}", f"key.{ident}")

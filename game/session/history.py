@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from physics import Placed, World
 
-from .timeline import skip
-
-if TYPE_CHECKING:
-    from .session import Game
+from .running_match import Standing
 
 
 class Moment(NamedTuple):
-    """A table with what its player was about to do."""
+    """A table with what its player was about to do.
+
+    shown     was the last shot on show, with its numbers in the boxes?
+    standing  of the match, None at the free table
+    """
 
     world: World
     layout: tuple[Placed, ...]
@@ -22,24 +22,13 @@ class Moment(NamedTuple):
     complete: bool
     moving: bool
     shown: bool
-    """Was the last shot on show, with its numbers in the boxes?"""
     shots: int
     cue: str
-    kept: tuple[object, ...]
-    """What the `keepers` of the history have given."""
+    standing: Standing | None
 
     def same_table(self, other: Moment) -> bool:
         """Do the balls lie, or move, alike?"""
         return self.world is other.world and self.layout == other.layout
-
-
-def moment(game: Game) -> Moment:
-    """The game as it is now."""
-    aim, world = game.aim, game.world
-    kept = tuple(take() for take, _ in game.history.keepers)
-    shown = game.shown_shot and not game.moving
-    table = world, world.layout(), (*aim.texts,), aim.complete, game.moving, shown
-    return Moment(*table, game.shots, game.cue, kept)
 
 
 class History:
@@ -48,14 +37,12 @@ class History:
     def __init__(self) -> None:
         self.past: list[Moment] = []
         self.future: list[tuple[Moment, Moment]] = []
-        self.keepers: list[tuple[Callable[[], object], Callable[[object], None]]] = []
-        """Pairs (take, give) for what else belongs to a moment, as the score of a match does."""
 
-    def note(self, before: Moment, game: Game) -> None:
+    def note(self, before: Moment, now: Moment) -> None:
         """An action has been done: keep what was before it, if it moved a ball."""
-        if game.world is not before.world:
+        if now.world is not before.world:
             return  # the world it was in has gone, and with it all that was before
-        if game.shots != before.shots or not moment(game).same_table(before):
+        if now.shots != before.shots or not now.same_table(before):
             self.past.append(before)
             self.future.clear()
 
@@ -64,41 +51,17 @@ class History:
         self.past.clear()
         self.future.clear()
 
-    def undo(self, game: Game) -> bool:
-        """Go back to before the last action that moved a ball; returns whether there was one."""
+    def undo(self, now: Moment) -> Moment | None:
+        """Go back to before the last action that moved a ball: returns that, None if none did."""
         if not self.past:
-            return False
-        now, before = moment(game), self.past.pop()
-        self.future.append((before, now))
-        _restore(game, before)
-        return True
+            return None
+        self.future.append((self.past.pop(), now))
+        return self.future[-1][0]
 
-    def redo(self, game: Game) -> bool:
-        """Do again what was undone; returns whether there was anything."""
+    def redo(self) -> tuple[Moment, Moment] | None:
+        """Go on to after what was undone last: returns before and after it, None if nothing was."""
         if not self.future:
-            return False
+            return None
         before, after = self.future.pop()
         self.past.append(before)
-        if after.shots > before.shots:
-            _restore(game, before)
-            game.strike()
-            skip(game)
-            if game.shots == after.shots and (after.moving or game.world.layout() == after.layout):
-                return True
-        _restore(game, after)
-        return True
-
-
-def _restore(game: Game, kept: Moment) -> None:
-    game.put(kept.layout)
-    game.shots = kept.shots
-    for (_, give), own in zip(game.history.keepers, kept.kept, strict=True):
-        give(own)
-    game.cue = kept.cue
-    game.aim.texts = list(kept.texts)
-    game.aim.leave()
-    game.aim.complete = kept.complete and not game.aim.faults
-    game.aim.wrong = False
-    if game.contest is not None and kept.shown:
-        game.contest.given = False
-        game.contest.give_boxes(game)
+        return before, after

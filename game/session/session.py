@@ -1,26 +1,30 @@
-"""The game without a window: what an action does, and what a stretch of time does."""
+"""The game without a window: what there is to play with, and what a stretch of time does to it.
+
+Only this file and `commands` write to a session. The parts that it is made of do not know it: they
+change themselves or their world, and return what the session is to set.
+"""
 
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
 from math import hypot
-from typing import ClassVar, NamedTuple
 
 from danggu.rules.stroke import stroke
+from danggu.rules.verdict import Verdict
 from game.aim import edit
 from game.aim.entry import Aim
 from game.aim.preview import NO_STORY, Preview, Story, forecast, preview
 from game.table import presets
-from physics import Cloth, Placed, State, World, laws
+from physics import Placed, State, World
 
-from . import commands, equipment, moves, running_match, timeline
-from .action import Action
-from .history import History, moment
+from . import equipment, moves
+from .equipment import Equipment
+from .history import History, Moment
+from .running_match import Contest
 from .ticks import TICKS, seconds, shares
-from .timeline import Playhead
+from .timeline import Timeline
 
 READING = TICKS // 8
 """How often the read-outs change while balls move: faster cannot be read."""
@@ -36,38 +40,36 @@ class Notice:
     error: bool = False
 
 
-class Terms(NamedTuple):
-    """Laws and cloth that a table came with."""
+class Session:
+    """World, aim and everything else that commands change.  It never looks at a clock.
 
-    ball_law: laws.BallLaw
-    cushion_law: laws.CushionLaw
-    cloth: Cloth
-
-
-class Game:
-    """World, aim and everything else that actions change.  It never looks at a clock."""
+    page      laid over the table: "settings" "menu" "shelf" "rules" "ask", or none ("")
+    help      does the page of keys lie over everything?
+    version   goes up with every change: equal versions look the same
+    news      goes up when more than the balls' places has changed, or is due to be read again
+    lies      how the balls lay before the last shot
+    did       the last action's name
+    match_engine  what a match from the menu is played with, whatever is in use before it
+    """
 
     def __init__(
-        self, world: World, substeps: int = 6, seed: int = 0, table: str = "medium"
+        self,
+        world: World,
+        substeps: int = 6,
+        seed: int = 0,
+        table: str = "medium",
+        language: str = "en",
+        edition: int = presets.EDITION,
+        match_engine: str = "exact",
     ) -> None:
-        self.substeps = substeps
-        self.engine, self.language, self.edition = "exact", "en", presets.EDITION
-        self.match_engine = "exact"
-        """What a match from the menu is played with, whatever is in use before it."""
+        self.substeps, self.language, self.edition = substeps, language, edition
+        self.engine, self.match_engine = "exact", match_engine
         self.help = self.over = False
-        self.sheet = ""
-        """The page laid over the table: "settings" "menu" "shelf" "rules", or none."""
-        self.tick = self.calls = self.events = self.stamp = 0
-        """`stamp` goes up whenever somebody, and not time, has changed what will happen."""
-        self.version = 0
-        """Goes up with every change: equal versions look the same."""
-        self.news = 0
-        """Goes up when anything but the balls' places has changed, or is due to be read again."""
+        self.page = self.did = ""
+        self.tick = self.calls = self.events = self.version = self.news = 0
         self.rng = random.Random(seed)
-        self._did = ""
         self.history = History()
-        take, give = partial(running_match.kept, self), partial(running_match.give_back, self)
-        self.history.keepers.append((take, give))
+        self.timeline = Timeline(world, world.time)
         self.begin(world, table)
 
     def begin(self, world: World, table: str) -> None:
@@ -75,155 +77,172 @@ class Game:
         self.world, self.table = world, table
         self.history.clear()
         self.cue = self.shooter = self.held_ball = presets.cue_ball(world)
-        self.contest: running_match.Contest | None = None
+        self.contest: Contest | None = None
         self.arranging = False
         """Are balls being placed by hand?  `held_ball` is the one that moves."""
         self.aim = Aim()
         self.law, self.cloth = presets.law_of(world), "table"
-        self.paused, self.head = False, Playhead()
+        self.timeline = Timeline(world, world.time, stamp=self.timeline.stamp)
         self.notice: Notice | None = None
         self.shots = 0
-        self.began = world.time
-        self.shown_shot = False
-        """Is the last shot on show, rather than the next one?"""
-        self.came_with = Terms(world.ball_law, world.cushion_law, world.cloth)
+        self.came_with = Equipment.of(world)
         self.lies = world.layout()
-        """Where the balls lay before the last shot."""
         self._seen: tuple[object, dict[str, State]] = (None, {})
         self._previewed: tuple[object, Preview | None] = (None, None)
         self._forecast: tuple[object, Story] = (None, NO_STORY)
         self._counts: tuple[object, tuple[int, int]] = (None, (0, 0))
         self.changed()
-        self.moving = moves.moves(world)
+        self.timeline.moving = moves.moves(world)
         if self.moving:
-            edit.take_over(self)
+            edit.take_over(self.aim, world.ball(self.cue))
+            self.timeline.shown, self.timeline.began = True, world.time
         self.read()
 
-    # -- what an action does -------------------------------------------------------------------
+    # -- what it tells -------------------------------------------------------------------------
 
-    def perform(self, action: Action) -> None:
-        """Do what the player wants; anything unknown raises KeyError."""
-        handler = self._handlers[action.name]
-        if action.name not in ("language", "help", "settings", "sheet", "next", "intend"):
-            self.notice = None
-        before = moment(self)
-        if self.contest is not None and action.name in edit.HANDLERS:
-            self.show_aim()  # they begin with the numbers of who is at the table
-        if action.value is None:
-            handler(self)
-        else:
-            handler(self, action.value)
-        if self._is_step(action.name, before.moving) or self.world is not before.world:
-            self.history.note(before, self)
-        self._did = action.name
-        self.version += 1
+    def say(self, key: str, *, error: bool = False) -> None:
+        """Tell the player something at once, whatever else is being done."""
+        self.notice = Notice(key, error)
         self.news += 1
-
-    def _is_step(self, name: str, moving: bool) -> bool:
-        """Is what was done a step of its own to undo?  Time is none, nor is a drag's every move."""
-        if name in ("undo", "redo", *timeline.HANDLERS) or name == self._did == "move":
-            return False
-        return self.contest is None or not moving
-
-    def show_aim(self) -> None:
-        """Show the next shot rather than the last one, unless that is still running."""
-        if self.moving:
-            return
-        self.shown_shot = False
-        self.head.live()
-        if self.contest is not None:
-            self.contest.give_boxes(self)
-
-    def _edit(self, box: int = 0) -> None:
-        self.show_aim()
-        self.arranging = False
-        self.aim.edit(box)
-
-    def _clear(self) -> None:
-        self._edit()
-        self.aim.edit(clear=True)
-
-    def _type(self, text: str) -> None:
-        if self.aim.box is None:
-            self._edit()
-        if not self.aim.type(text):
-            self.warn("full")
-
-    def _enter(self) -> None:
-        self.aim.enter()
-        if self.aim.complete:
-            self.notice = Notice("complete")
-
-    def _leave(self) -> None:
-        self.aim.leave()
-
-    def _shoot(self) -> None:
-        """RETURN in play: one shot for each completed entry; in a match first the next turn."""
-        if self.contest is not None and self.moving:
-            self.refuse("moving")
-        elif self.contest is not None and self.shown_shot:
-            commands.show_next(self)
-        elif self.aim.complete:
-            self.strike()
-        elif not self.aim.wrong:
-            self.show_aim()
-            self.notice = Notice("spent")
-
-    def _fire(self) -> None:
-        """Complete the entry as it stands, and shoot; in a match that is the coming stroke."""
-        if self.contest is not None:
-            self.show_aim()
-        self.aim.leave()
-        if self.aim.finish():
-            self.strike()
-
-    def strike(self) -> None:
-        """Play the shot in the boxes, if they hold one; in a match only if one may."""
-        moves.strike(self)
-
-    def refuse(self, why: str) -> None:
-        """Say why something cannot be done now."""
-        self.warn(f"refused.{why}")
-
-    def lay(self, places: Sequence[presets.Place]) -> None:
-        """Lay all balls down at rest, in their order, metres."""
-        moves.lay(self, places)
-
-    def _help(self) -> None:
-        self.help = not self.help
-
-    def _settings(self) -> None:
-        commands.sheet(self, "settings")
-
-    def _quit(self) -> None:
-        self.over = True
+        self.version += 1
 
     def warn(self, key: str, error: bool = True) -> None:
         """Say what cannot be, or what has been done instead of it."""
         self.notice = Notice(key, error)
 
-    def _undo(self) -> None:
-        """Take the last step back; in a match with the computer as far as a person's turn."""
-        if not self.history.undo(self):
-            self.notice = Notice("undo")
-        while self.contest is not None and self.contest.waits and self.history.undo(self):
-            pass
+    def refuse(self, why: str) -> None:
+        """Say why something cannot be done now."""
+        self.warn(f"refused.{why}")
 
-    def _redo(self) -> None:
-        if not self.history.redo(self):
-            self.notice = Notice("redo")
+    def muse(self, thinking: bool, share: float | None) -> None:
+        """Show how far the computer has thought, and the share of its strokes that would score."""
+        if self.contest is not None:
+            self.contest.thinking = thinking
+            self.contest.share = self.contest.share if share is None else share
+
+    def leave(self) -> None:
+        """The game is over."""
+        self.over = True
+
+    # -- the next shot -------------------------------------------------------------------------
+
+    def show_aim(self) -> None:
+        """Show the next shot rather than the last one, unless that is still running."""
+        if self.moving:
+            return
+        self.timeline.shown = False
+        self.timeline.live()
+        self.give_boxes()
+
+    def give_boxes(self) -> None:
+        """Let the player at the table of a match have the boxes, once in a turn."""
+        texts = self.contest.boxes(self.world) if self.contest is not None else None
+        self.aim.texts = self.aim.texts if texts is None else texts
+
+    def ready(self) -> bool:
+        """Turn to the next shot; False while balls move."""
+        if self.moving:
+            return False
+        self.show_aim()
+        self.aim.leave()
+        return True
+
+    def strike(self) -> None:
+        """Play the shot in the boxes, if they hold one and the cue ball may be struck."""
+        shot = self.aim.shot
+        if shot is None:
+            return
+        if why := self._refusal(flies=bool(shot.climb)):
+            self.refuse(why)
+            return
+        self.arranging = False
+        if not self.moving:
+            self.lies = self.world.layout()
+        self.timeline.restart()
+        self.world.strike(self.cue, shot)
+        self.changed()
+        self.shooter = self.cue
+        if self.contest is not None:
+            self.contest.struck(self.aim.texts)
+        self.aim.spent()
+        self.shots += 1
+        self.timeline.moving = self.timeline.shown = True
+        self.read()
+
+    def _refusal(self, *, flies: bool) -> str:
+        """Why the cue ball cannot be struck now, or ""."""
+        if self.contest is not None and (why := self.contest.refusal(moving=self.moving)):
+            return why
+        if self.world.ball(self.cue).gone:
+            return "off"
+        return "flight" if flies and self.engine != "exact" else ""
+
+    # -- balls put back ------------------------------------------------------------------------
+
+    def put(self, layout: Sequence[Placed]) -> None:
+        """Put all balls back; those of a scene that had begun in motion move again."""
+        if self.engine != "exact" and any(ball.height or ball.climb for ball in layout):
+            self.use_engine("exact")  # no other knows balls in the air
+        self.world.recall(layout)
+        self.timeline.restart()
+        self.changed()
+        self.timeline.moving = self.timeline.shown = moves.moves(self.world)
+        self.read()
+
+    def lay(self, places: Sequence[presets.Place]) -> None:
+        """Lay all balls down at rest, in their order, metres."""
+        self.put(presets.lying(places))
+        self.lies = self.world.layout()
+
+    def use_engine(self, key: str) -> None:
+        """Continue with another engine; only the exact one knows balls in the air."""
+        if not equipment.with_engine(self.world, key):
+            self.refuse("flight")
+            self.engine = "exact"
+            return
+        self.engine = key
+        self.timeline.stamp += 1
+
+    def snapshot(self) -> Moment:
+        """The game as it is now, to be kept."""
+        aim, world = self.aim, self.world
+        standing = self.contest.snapshot() if self.contest is not None else None
+        shown = self.shown_shot and not self.moving
+        table = world, world.layout(), (*aim.texts,), aim.complete, self.moving, shown
+        return Moment(*table, self.shots, self.cue, standing)
+
+    def restore(self, kept: Moment) -> None:
+        """Be as a moment was."""
+        self.put(kept.layout)
+        self.shots = kept.shots
+        if self.contest is not None and kept.standing is not None:
+            self.contest.restore(kept.standing)
+        self.cue = kept.cue
+        self.aim.texts = list(kept.texts)
+        self.aim.leave()
+        self.aim.complete = kept.complete and not self.aim.faults
+        self.aim.wrong = False
+        if self.contest is not None and kept.shown:
+            self.contest.given = False
+            self.give_boxes()
 
     # -- what time does ------------------------------------------------------------------------
 
     @property
     def held(self) -> bool:
         """Does a page over the table hold the game?"""
-        return self.help or bool(self.sheet)
+        return self.help or bool(self.page)
 
     def advance(self, ticks: int) -> None:
         """Let time pass: at most `substeps` calls of `world.step`, none while nothing moves."""
         if not self.held:
-            timeline.advance(self, ticks)
+            again = self.timeline.at is not None and self.timeline.playing
+            rolling = self.timeline.advance(ticks)
+            if rolling is not None:
+                self.run(rolling)
+            if again:
+                self.version += 1
+                self.read()
         self.tick += ticks
 
     def run(self, ticks: int) -> None:
@@ -234,34 +253,82 @@ class Game:
         for share in shares(ticks, self.substeps):
             if not self.moving:
                 break
-            moves.roll(self, seconds(share))
+            self._roll(seconds(share))
         self.version += 1
         due = (self.tick + ticks) // READING != before
         if due or not self.moving or self.paused or len(self.world.log) != events:
             self.read()
 
+    def _roll(self, dt: float) -> None:
+        """Let the balls roll for `dt` seconds; an engine that fails stops them, and says so."""
+        before = len(self.world.log)
+        self.calls += 1
+        if trouble := moves.step(self.world, dt):
+            if trouble == "failed":
+                self.put(self.lies)
+            self.world.stop()
+            self.warn(trouble)
+        self.events += max(len(self.world.log) - before, 0)
+        if not moves.moves(self.world):
+            self.rest()
+
     def changed(self) -> None:
-        """Somebody has put or pushed balls: let the world plan, so that its log knows of it."""
-        self.stamp += 1
-        self.head.part = 0  # how much of a tick is left over tells how long the last frame was
+        """Balls have been put or pushed: let the world plan, so that its log knows of it."""
+        self.timeline.stamp += 1
+        self.timeline.part = 0  # how much of a tick is left over tells how long the last frame was
         self.world.plan()
 
     def rest(self) -> None:
         """All balls lie still: an entry begun meanwhile comes on show."""
-        self.moving = False
-        self.stamp += 1
-        self.paused = False  # there is nothing to hold: the next shot, or the computer, goes on
-        if self.contest is not None:
-            self.contest.rested(self)
+        self.timeline.moving = False
+        self.timeline.stamp += 1
+        self.timeline.paused = False  # there is nothing to hold: the next shot goes on
+        if self.contest is not None and self.contest.pending:
+            self.notice = None
+            verdict = self.contest.judge(self.world.log)
+            if verdict.facts.off and moves.spot(self.world, self.contest.terms.world()):
+                self.changed()
+            self.seat()
         if self.aim.box is not None or self.aim.complete:
-            self.shown_shot = False
+            self.timeline.shown = False
+
+    def seat(self) -> None:
+        """Give the cue ball to the player at the table of the match."""
+        if self.contest is not None:
+            busy = self.aim.box is not None or self.aim.complete
+            self.cue = self.contest.seat(busy=busy)
 
     # -- what there is to see ------------------------------------------------------------------
 
     @property
+    def moving(self) -> bool:
+        """Do the balls move?"""
+        return self.timeline.moving
+
+    @property
+    def shown_shot(self) -> bool:
+        """Is the last shot on show, rather than the next one?"""
+        return self.timeline.shown
+
+    @property
+    def paused(self) -> bool:
+        """Is time held while the balls move?"""
+        return self.timeline.paused
+
+    @property
+    def began(self) -> float:
+        """World time at which the last shot began, s."""
+        return self.timeline.began
+
+    @property
+    def stamp(self) -> int:
+        """Goes up whenever something other than time has changed what will happen."""
+        return self.timeline.stamp
+
+    @property
     def preview(self) -> Preview | None:
         """What the shot in the boxes would do, by the engine itself; None while there is none."""
-        key = (self.stamp, *self.aim.texts)
+        key = self.preview_key
         if key != self._previewed[0]:
             shot = None if self.moving else self.aim.shot
             judge = self.contest.outcome if self.contest is not None else None
@@ -285,11 +352,18 @@ class Game:
     @property
     def counts(self) -> tuple[int, int]:
         """How many balls and cushions the cue ball has met by the moment on show, as rules do."""
-        key = (self.stamp, self.began, len(self.world.log), self.head.at)
+        key = (self.stamp, self.began, len(self.world.log), self.timeline.at)
         if key != self._counts[0]:
-            done = stroke(self.world.log.contacts(), self.shooter).until(timeline.moment(self))
+            done = stroke(self.world.log.contacts(), self.shooter).until(self.timeline.moment)
             self._counts = key, (len(done.hits()), done.cushions())
         return self._counts[1]
+
+    @property
+    def settled(self) -> Verdict | None:
+        """The verdict on the stroke at the moment on show, if nothing can change it any more."""
+        if self.contest is None or not self.shown_shot:
+            return None
+        return self.contest.settled(self.world.log, self.timeline.moment)
 
     @property
     def traced(self) -> tuple[str, ...]:
@@ -297,21 +371,17 @@ class Game:
         names = tuple(ball.name for ball in self.world.balls)
         return names if len(names) <= MOST_TRACED else (self.cue,)
 
-    def put(self, layout: Sequence[Placed]) -> None:
-        """Put all balls back; those of a scene that had begun in motion move again."""
-        moves.put(self, layout)
-
     @property
     def seen(self) -> dict[str, State]:
         """Every ball at the moment on show: now, or the one that the timeline has been put to."""
-        if self.head.at is None:
+        if self.timeline.at is None:
             return {
                 b.name: State(b.position, b.velocity, b.spin, b.height, b.climb)
                 for b in self.world.balls
             }
-        key = self.stamp, self.began, self.head.at
+        key = self.stamp, self.began, self.timeline.at
         if key != self._seen[0]:
-            self._seen = key, self.world.log.at(timeline.moment(self))
+            self._seen = key, self.world.log.at(self.timeline.moment)
         return self._seen[1]
 
     def read(self) -> None:
@@ -321,24 +391,9 @@ class Game:
         ball, state = self.world.ball(name), self.seen[name]
         wx, wy, wz = (w * ball.radius for w in state.spin)
         self.readout = hypot(*state.velocity), hypot(wx, wy, wz), abs(wz)
-        log = self.world.log
+        log, timeline = self.world.log, self.timeline
         rested = not self.moving and len(log) and log[-1].kind == "rest"
         now = log[-1].time if rested else self.world.time
-        if self.head.at is not None:
-            now = timeline.moment(self)
+        if timeline.at is not None:
+            now = timeline.moment
         self.readout_time = now - self.began if self.shown_shot else 0.0
-
-    _handlers: ClassVar[dict[str, Callable[..., None]]] = {
-        "edit": _edit, "clear": _clear, "type": _type, "enter": _enter,
-        "leave": _leave, "shoot": _shoot, "fire": _fire, "place": moves.place, "stop": moves.stop,
-        "retry": moves.retry, "undo": _undo, "redo": _redo, "help": _help,
-        "settings": _settings, "quit": _quit, **edit.HANDLERS, **timeline.HANDLERS,
-        "engine": equipment.engine,
-        "law": equipment.law, "cloth": equipment.cloth, "table": equipment.table,
-        "language": equipment.language,
-        "sheet": commands.sheet, "match": commands.match, "next": commands.show_next,
-        "intend": commands.intend, "play": commands.play, "arrange": commands.arrange,
-        "hold": commands.hold, "move": commands.move, "line": commands.line,
-        "scene": commands.scene,
-    }  # fmt: skip
-

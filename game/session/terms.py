@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
-import re
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, field, fields
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
 from danggu.players.levels import LEVELS, Level
 from danggu.players.positions import SAGU, THREE_CUSHION, opening
@@ -15,20 +15,11 @@ from danggu.rules.verdict import Rules
 from game.table import presets
 from physics import Ball, World
 
-if TYPE_CHECKING:
-    from game.options import Options
-
 FREE, FOUR_BALL = "free", "four-ball"
-KEYS = {FOUR_BALL: SAGU, "three-cushion": THREE_CUSHION}
-"""What the rules call the games."""
-TABLES = {FREE: "medium", FOUR_BALL: "medium", "three-cushion": "match"}
-"""The table each game is played on unless another one is asked for."""
-GAMES = (*TABLES,)
-"""The games that have a table in the window; `danggu.rules` knows more."""
 HUMAN = "human"
 SKILLS: dict[str, Level] = {level.key: level for level in LEVELS}
 SEATS = (HUMAN, *SKILLS)
-FINISHES = sagu.FINISHES
+FINISHES, EXTRA_3C = sagu.FINISHES, sagu.EXTRA_3C
 LONGEST_NAME = 16
 MOST_POINTS = 200
 PENALTIES = (0, 1, 2)
@@ -38,8 +29,8 @@ START = ("2.5", "0", "0", "0")
 
 
 @dataclass(frozen=True, slots=True)
-class Seat:
-    """Somebody who plays: a name ("" for the usual one), human or a level, a handicap (수지)."""
+class Contestant:
+    """A player: a name ("" for the usual one), human or a level, a handicap (수지)."""
 
     name: str = ""
     level: str = HUMAN
@@ -56,21 +47,36 @@ class Seat:
             raise ValueError(f"a handicap is 1 to {MOST_POINTS}, not {self.target!r:.60}")
 
 
+class Discipline(NamedTuple):
+    """What the program knows of a game beside its rules.
+
+    table     the one that it is played on unless another one is asked for
+    position  its opening, as `players.positions` calls the game
+    house     the fields of `Terms` that are its house rules
+    rules     makes its rules of terms
+    """
+
+    table: str
+    position: str = ""
+    house: tuple[str, ...] = ()
+    rules: Callable[[Terms], Rules] | None = None
+
+
 @dataclass(frozen=True, slots=True)
-class Fixture:
+class Terms:
     """A game, its players and its table; ValueError for what cannot be played.
 
-    `finish`, `penalty` and `floor` are house rules of 4-ball, `bank` and `red_first` of
-    three-cushion.  "table" as a cloth or a law is the one that the table comes with.
+    "table" as a cloth or a law is the one that the table comes with; the house rules of other games
+    than the one played mean nothing.
     """
 
     game: str = FREE
-    seats: tuple[Seat, ...] = field(default_factory=lambda: (Seat(), Seat()))
+    seats: tuple[Contestant, ...] = field(default_factory=lambda: (Contestant(), Contestant()))
     table: str = "medium"
     cloth: str = "table"
     law: str = "table"
     engine: str = "exact"
-    finish: str = sagu.EXTRA_3C
+    finish: str = EXTRA_3C
     penalty: int = 1
     floor: bool = True
     bank: int = 1
@@ -79,7 +85,7 @@ class Fixture:
     def __post_init__(self) -> None:
         known: dict[str, tuple[Any, ...]] = {
             "game": GAMES, "table": (*presets.TABLES,), "cloth": (*presets.CLOTHS,),
-            "law": ("table", *presets.LAWS), "engine": (*presets.ENGINES,), "finish": sagu.FINISHES,
+            "law": ("table", *presets.LAWS), "engine": (*presets.ENGINES,), "finish": FINISHES,
             "penalty": PENALTIES, "bank": BANKS, "floor": (True, False), "red_first": (True, False),
         }  # fmt: skip
         for name, values in known.items():
@@ -92,11 +98,10 @@ class Fixture:
     @property
     def rules(self) -> Rules:
         """The rules of the game; ValueError for the free table, which has none."""
-        if self.game == FREE:
+        make = DISCIPLINES[self.game].rules
+        if make is None:
             raise ValueError("the free table has no rules")
-        if self.game == FOUR_BALL:
-            return sagu.Sagu(self.finish, self.penalty, floor_zero=self.floor)
-        return carom.Carom(3, self.bank, self.red_first)
+        return make(self)
 
     def match(self) -> Match:
         """The match before its first stroke."""
@@ -107,7 +112,7 @@ class Fixture:
         if self.game == FREE:
             return presets.table_world(self.table)
         kind = presets.TABLES[self.table]
-        spots = opening(KEYS[self.game]).on(kind.length, kind.width)
+        spots = opening(DISCIPLINES[self.game].position).on(kind.length, kind.width)
         world = kind.world()
         for name in self.rules.balls:
             world.add(Ball(name, spots[name], radius=kind.radius, mass=kind.mass))
@@ -118,44 +123,40 @@ class Fixture:
         return json.dumps(asdict(self), ensure_ascii=False, separators=(",", ":"))
 
 
-def read(line: str) -> Fixture:
-    """What `Fixture.line` has written; ValueError, saying what is wrong, for anything else."""
+DISCIPLINES = {
+    FREE: Discipline("medium"),
+    FOUR_BALL: Discipline(
+        "medium",
+        SAGU,
+        ("finish", "penalty", "floor"),
+        lambda terms: sagu.Sagu(terms.finish, terms.penalty, floor_zero=terms.floor),
+    ),
+    "three-cushion": Discipline(
+        "match",
+        THREE_CUSHION,
+        ("bank", "red_first"),
+        lambda terms: carom.Carom(3, terms.bank, terms.red_first),
+    ),
+}
+"""By the names that `danggu.rules.GAMES` gives the games."""
+GAMES = (*DISCIPLINES,)
+"""The games that have a table in the window; `danggu.rules` knows more."""
+
+
+def read(line: str) -> Terms:
+    """What `Terms.line` has written; ValueError, saying what is wrong, for anything else."""
     try:
         data = json.loads(line)
     except (ValueError, RecursionError):
-        raise ValueError("a fixture is written as JSON") from None
+        raise ValueError("the terms of a match are written as JSON") from None
     if not isinstance(data, dict) or not isinstance(data.get("seats", []), list):
-        raise ValueError("a fixture is an object with a list of seats")
-    unknown = set(data) - {f.name for f in fields(Fixture)}
+        raise ValueError("the terms of a match are an object with a list of seats")
+    unknown = set(data) - {f.name for f in fields(Terms)}
     if unknown:
-        raise ValueError(f"a fixture has no {min(unknown)!r:.60}")
+        raise ValueError(f"the terms of a match have no {min(unknown)!r:.60}")
     try:
         if "seats" in data:
-            data["seats"] = tuple(Seat(**seat) for seat in data["seats"])
-        return Fixture(**data)
+            data["seats"] = tuple(Contestant(**seat) for seat in data["seats"])
+        return Terms(**data)
     except TypeError as error:
-        raise ValueError(f"no such fixture: {error}") from None
-
-
-def asked(options: Options) -> Fixture:
-    """The fixture that the command line asks for; ValueError names what is wrong with it."""
-    said = (options.players or "2").split(",")
-    names = said
-    if len(said) == 1 and said[0].strip("+-").isdecimal():
-        if said[0] not in ("1", "2"):
-            raise ValueError(f"players must be 1 or 2, not {said[0]:.20}")
-        names = [""] * int(said[0])
-    levels = (options.level or HUMAN).split(",")
-    if len(levels) < len(names):
-        levels = [HUMAN] * (len(names) - len(levels)) + levels
-    goals = (options.handicap or "10").split(",")
-    goals += goals[-1:] * (len(names) - len(goals))
-    for said, whole in ((levels, options.level), (goals, options.handicap)):
-        if len(said) > len(names):
-            raise ValueError(f"{whole!r:.60} is for {len(said)} players: there are {len(names)}")
-    if not all(re.fullmatch(r"\d{1,9}", goal) for goal in goals):
-        raise ValueError(f"a handicap is a whole number, not {options.handicap!r:.60}")
-    seats = tuple(Seat(n.strip(), v, int(g)) for n, v, g in zip(names, levels, goals, strict=True))
-    law, finish = options.law or "table", options.finish or sagu.EXTRA_3C
-    played_on = options.table, options.cloth, law, options.engine
-    return Fixture(options.game, seats, *played_on, finish)
+        raise ValueError(f"no such terms: {error}") from None

@@ -1,60 +1,59 @@
-"""What value each action takes: what a record says is held to it before anything is done."""
+"""What value a command takes: what a record says is held to it before anything is done."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from math import isfinite
+from typing import NamedTuple
 
 from game.aim.entry import BOXES
-from game.table import lineup, presets
-from game.text import LANGUAGES
-from game.text.quoting import shortly
 
-from . import terms
-from .action import Action
-
-SHEETS = ("", "settings", "menu", "shelf", "rules", "ask")
 LARGEST = 1e6
 """Size of a number in an action: more than any box, table or angle has room for."""
 FARTHEST = 1 << 32
 """Ticks to which a shot may be scrubbed: 18 hours."""
 MOST_STEPS = 100
-Check = Callable[[object], str]
-"""Returns what was expected instead of a value, or "" if it is good."""
 
 
-def fault(action: Action) -> str:
-    """Say what is wrong with an action that a record says was done, or ""."""
-    if not isinstance(action.name, str) or action.name not in VALUES:
-        return f"there is no action {shortly(list(action))}"
-    wanted = VALUES[action.name](action.value)
-    said = "nothing" if action.value is None else shortly(action.value)
-    return f"{action.name} takes {wanted}, not {said}" if wanted else ""
+class Value(NamedTuple):
+    """A kind of value.
+
+    label  how it is written in a list of commands
+    fault  returns what was expected instead of a value, or "" if it is good
+    """
+
+    label: str
+    fault: Callable[[object], str]
 
 
 def _nothing(value: object) -> str:
     return "" if value is None else "no value"
 
 
-def _text(value: object) -> str:
-    return "" if type(value) is str else "text"
+def text(label: str) -> Value:
+    """Any text."""
+    return Value(label, lambda value: "" if type(value) is str else "text")
 
 
-def _whole(least: int, most: int) -> Check:
-    def check(value: object) -> str:
+def whole(label: str, least: int, most: int) -> Value:
+    """A whole number within bounds."""
+
+    def fault(value: object) -> str:
         good = type(value) is int and least <= value <= most
         return "" if good else f"a whole number from {least} to {most}"
 
-    return check
+    return Value(label, fault)
 
 
-def _numbers(count: int) -> Check:
-    def check(value: object) -> str:
+def numbers(label: str, count: int) -> Value:
+    """So many numbers, written as one text."""
+
+    def fault(value: object) -> str:
         good = isinstance(value, str) and len(value.split()) == count
         good = good and all(map(_is_number, str(value).split()))
         return "" if good else f"{count} number{'s' * (count > 1)} as text"
 
-    return check
+    return Value(label, fault)
 
 
 def _is_number(word: str) -> bool:
@@ -68,9 +67,9 @@ def _is_number(word: str) -> bool:
 def _boxes(value: object) -> str:
     """Pairs of a box and a number."""
     words = value.split() if isinstance(value, str) else []
-    names, numbers = words[::2], words[1::2]
-    good = words and len(names) == len(numbers) and {*names} <= {*BOXES}
-    return "" if good and all(map(_is_number, numbers)) else "boxes and their numbers as text"
+    names, figures = words[::2], words[1::2]
+    good = words and len(names) == len(figures) and {*names} <= {*BOXES}
+    return "" if good and all(map(_is_number, figures)) else "boxes and their numbers as text"
 
 
 def _caret(value: object) -> str:
@@ -82,48 +81,29 @@ def _caret(value: object) -> str:
     return "" if good else "a place in the text"
 
 
-def _one_of(keys: Iterable[str], *, needed: bool = False) -> Check:
+def one_of(label: str, keys: Iterable[str], *, needed: bool = False) -> Value:
+    """One of some keys, or no value unless one is needed."""
     known = (*keys,)
 
-    def check(value: object) -> str:
+    def fault(value: object) -> str:
         good = value in known if isinstance(value, str) else value is None and not needed
         return "" if good else f"one of {', '.join(repr(key) for key in known)}"
 
-    return check
+    return Value(label, fault)
 
 
-def _line(read: Callable[[str], object], what: str) -> Check:
-    def check(value: object) -> str:
+def line(label: str, read: Callable[[str], object], what: str) -> Value:
+    """A text that a function reads; its ValueError says what is wrong."""
+
+    def fault(value: object) -> str:
         try:
             return "" if isinstance(value, str) and read(value) else what
         except ValueError as error:
             return f"{what} ({error})"
 
-    return check
+    return Value(label, fault)
 
 
-_ONCE = dict.fromkeys(
-    (
-        "clear", "erase", "enter", "leave", "shoot", "fire", "place", "stop", "retry", "undo",
-        "redo", "pause", "frame", "back", "home", "skip", "centre", "help", "settings", "next",
-        "arrange", "delete",
-    ),
-    _nothing,
-)  # fmt: skip
-_NUMBER, _PAIR, _SHOT = _numbers(1), _numbers(2), _numbers(len(BOXES))
-VALUES: dict[str, Check] = {
-    **_ONCE,
-    **dict.fromkeys(("turn", "power", "push", "tilt", "elevate"), _NUMBER),
-    **dict.fromkeys(("tip", "nudge", "move"), _PAIR),
-    **dict.fromkeys(("intend", "play"), _SHOT),
-    **dict.fromkeys(("type", "hold"), _text), "caret": _caret,
-    "edit": _whole(0, len(BOXES) - 1), "set": _boxes,
-    "thick": _whole(-7, 7), "thicker": _whole(-1, 1), "faster": _whole(-MOST_STEPS, MOST_STEPS),
-    "event": _whole(-1, 1), "scrub": _whole(0, FARTHEST),
-    "engine": _one_of(presets.ENGINES), "law": _one_of(presets.LAWS),
-    "cloth": _one_of(presets.CLOTHS), "table": _one_of(presets.TABLES),
-    "language": _one_of(LANGUAGES),
-    "sheet": _one_of(SHEETS), "scene": _one_of(presets.SCENES, needed=True),
-    "match": _line(terms.read, "a fixture"), "line": _line(lineup.read, "a set-up"),
-}  # fmt: skip
-"""By the names of the actions. The player's own settings are not here: no record changes them."""
+NOTHING = Value("", _nothing)
+BOX_NUMBERS = Value('"BOX NUMBER ..."', _boxes)
+PLACE = Value("PLACE", _caret)

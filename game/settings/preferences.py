@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import ClassVar
-
 from game.input.bindings import Keys
 from game.session.action import Action
-from game.session.session import Game
+from game.session.commands import COMMANDS
+from game.session.session import Session
 from game.sound.audio import Audio
 
 from .settings import CHOICES, LOUDEST, Settings, Store
@@ -16,8 +14,7 @@ from .settings import CHOICES, LOUDEST, Settings, Store
 class Preferences:
     """Settings in use, and the file they are kept in, if there is one.
 
-    Its actions: mute · still · both · fan · volume 0..10 · aids KEY (no key: the next one) ·
-    colours KEY · bind "ACTION KEY" · unbind ACTION.
+    The commands that are a player's `own` are methods here, by the same names.
     """
 
     def __init__(self, settings: Settings | None = None, store: Store | None = None) -> None:
@@ -29,20 +26,12 @@ class Preferences:
         """Why the last key that was wished could not be had: reason, action, key."""
         self._sound()
 
-    def perform(self, action: Action) -> bool:
-        """Do an action that is one of these; returns whether it was."""
-        handler = self._handlers.get(action.name)
-        if handler is not None:
-            self.refused = None
-            handler(self, action.value)
-        return handler is not None
-
-    def note(self, action: Action, game: Game) -> None:
+    def note(self, action: Action, session: Session) -> None:
         """Remember what an action of the game has chosen."""
-        if action == Action("engine") and game.engine != "exact":
+        if action == Action("engine") and session.engine != "exact":
             return  # the key compares for a moment, and goes back; the settings page is for good
-        if action.name in ("language", "table", "cloth", "law", "engine"):
-            setattr(self.settings, action.name, getattr(game, action.name))
+        if COMMANDS[action.name].kept:
+            setattr(self.settings, action.name, getattr(session, action.name))
         if action.name == "table":
             self.settings.law = self.settings.cloth = "table"
 
@@ -56,39 +45,48 @@ class Preferences:
         if self.audio.silent:
             self.audio.close()
 
-    def _mute(self, _: object) -> None:
+    def mute(self) -> None:
+        """Sound on or off."""
         self.settings.muted = not self.settings.muted
         self._sound()
 
-    def _still(self, _: object) -> None:
+    def still(self) -> None:
+        """Motion that only decorates on or off."""
         self.settings.still = not self.settings.still
 
-    def _both(self, _: object) -> None:
+    def both(self) -> None:
+        """Events in one language or in both."""
         self.settings.both = not self.settings.both
 
-    def _fan(self, _: object) -> None:
+    def fan(self) -> None:
+        """The spread of the shot on or off."""
         self.settings.fan = not self.settings.fan
 
-    def _volume(self, value: int) -> None:
+    def volume(self, value: int) -> None:
+        """Set the volume, 0 to LOUDEST."""
         self.settings.volume = min(max(value, 0), LOUDEST)
         self._sound()
 
-    def _aids(self, key: str | None) -> None:
+    def aids(self, key: str = "") -> None:
+        """Show so many aiming aids, or take the next setting."""
         keys = CHOICES["aids"]
         after = keys[(keys.index(self.settings.aids) + 1) % len(keys)]
-        self.settings.aids = key if key is not None else after
+        self.settings.aids = key or after
 
-    def _colours(self, key: str) -> None:
+    def colours(self, key: str) -> None:
+        """Take a set of balls."""
         self.settings.colours = key
 
-    def _bind(self, value: str) -> None:
+    def bind(self, value: str) -> None:
+        """Give an action another key ("ACTION KEY"), unless it cannot have it."""
         name, key = value.rsplit(" ", 1)
         try:
             self._use(self.keys.with_key(name, key))
         except ValueError as why:
             self.refused = str(why), name, key
 
-    def _unbind(self, name: str) -> None:
+    def unbind(self, name: str) -> None:
+        """Give an action its usual key again, unless another one has that now."""
         rest = {n: k for n, k in self.keys.changed.items() if n != name}
         default = Keys().names[name]
         if self.keys.owner(default) in (None, name):
@@ -98,8 +96,3 @@ class Preferences:
 
     def _use(self, keys: Keys) -> None:
         self.keys, self.settings.keys = keys, keys.changed
-
-    _handlers: ClassVar[dict[str, Callable[..., None]]] = {
-        "mute": _mute, "still": _still, "both": _both, "fan": _fan, "volume": _volume,
-        "aids": _aids, "colours": _colours, "bind": _bind, "unbind": _unbind,
-    }  # fmt: skip

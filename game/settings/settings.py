@@ -40,8 +40,14 @@ SIDE = 200, 16384
 class Settings:
     """The choices, each with its usual value.
 
-    `volume` is 0 to 10, `still` reduced motion, `fan` the spread of a shot, `both` a log in two
-    languages, `keys` the changed ones.
+    language .. engine  as the commands of these names take them
+    aids, colours       keys of CHOICES
+    volume              0 to LOUDEST
+    still               reduced motion
+    both                a log in two languages
+    fan                 the spread of a shot
+    keys                the changed ones, action to key
+    size                of the window, px
     """
 
     language: str = "en"

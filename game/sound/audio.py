@@ -65,10 +65,10 @@ class Audio:
             return
         try:
             share = self._gain() * min(1.0, MOST / max(sum(s.gain for s in heard.sounds), 1e-9))
-            for kind, level, gain, pan in heard.sounds:
+            for kind, loudness, gain, pan in heard.sounds:
                 channel = pygame.mixer.find_channel()
                 if channel is not None:
-                    channel.play(self._bank[kind, level])
+                    channel.play(self._bank[kind, loudness])
                     channel.set_volume(*sides(gain * share, pan))
             self._roll(heard.rolling)
         except pygame.error:

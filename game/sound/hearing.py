@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from physics import Ball, Event, World
 
-from .synth import level
+from .synth import loudness
 
 LOUDEST = 4
 """Sounds that begin in one frame: more are one noise."""
@@ -30,7 +30,7 @@ class Sound(NamedTuple):
     """A sound to begin: "click" "thud" or "stroke", level in the bank, gain 0..1, pan -1..1."""
 
     kind: str
-    level: int
+    loudness: int
     gain: float
     pan: float
 
@@ -96,7 +96,7 @@ def _of_event(event: Event, half: float) -> Sound | None:
 
 def _sound(kind: str, speed: float, impulse: float, x: float, half: float) -> Sound:
     gain = min(1.0, abs(impulse) / FULL[kind]) ** LOUDNESS
-    return Sound(kind, level(abs(speed)), gain, max(-1.0, min(1.0, x / half)))
+    return Sound(kind, loudness(abs(speed)), gain, max(-1.0, min(1.0, x / half)))
 
 
 def _rolling(world: World, now: float | None) -> float:

@@ -30,12 +30,15 @@ FADE = 0.006
 
 
 @dataclass(frozen=True, slots=True)
-class Body:
+class Timbre:
     """What answers a push.
 
-    contact: seconds a push takes at 1 m/s; shape: power of the half sine that it follows;
-    modes: (Hz, strength, seconds to fall to 1/e) of what rings; air: strength of the ball's own
-    wave; room: strength of the room's answer and where it is cut off, Hz; length: seconds.
+    contact  seconds a push takes at 1 m/s
+    shape    power of the half sine that it follows
+    modes    (Hz, strength, seconds to fall to 1/e) of what rings
+    air      strength of the ball's own wave
+    room     strength of the room's answer and where it is cut off, Hz
+    length   s
     """
 
     contact: float
@@ -46,7 +49,7 @@ class Body:
     length: float
 
 
-CLICK = Body(
+CLICK = Timbre(
     # 2.87 (m²/R E² v)^(1/5) for two phenolic balls of 0.21 kg, 61.5 mm and E = 5.8 GPa
     contact=4.2e-4,
     shape=1.5,
@@ -55,7 +58,7 @@ CLICK = Body(
     room=(0.05, 6_000),
     length=0.14,
 )
-THUD = Body(
+THUD = Timbre(
     contact=1.3e-3,
     shape=2.0,
     modes=((112, 0.45, 0.040), (184, 0.8, 0.030), (317, 0.9, 0.018), (590, 1.0, 0.010)),
@@ -63,7 +66,7 @@ THUD = Body(
     room=(0.10, 1_400),
     length=0.20,
 )
-STROKE = Body(
+STROKE = Timbre(
     contact=1.1e-3,
     shape=2.0,
     modes=((248, 0.12, 0.018), (640, 0.30, 0.010), (1_750, 0.60, 0.004)),
@@ -82,7 +85,7 @@ def push(seconds: float, shape: float) -> Wave:
 
 
 @cache
-def response(body: Body) -> Wave:
+def response(body: Timbre) -> Wave:
     """Return what is heard of a push that takes no time."""
     t = np.arange(round(body.length * RATE)) / RATE
     heard = body.air * _air(t)
@@ -139,7 +142,7 @@ def rumble(seconds: float = 1.0) -> Wave:
     return np.asarray(wave / np.abs(wave).max())
 
 
-def level(speed: float, speeds: Sequence[float] = SPEEDS) -> int:
+def loudness(speed: float, speeds: Sequence[float] = SPEEDS) -> int:
     """Return which of `speeds` is nearest to a closing speed by its ratio."""
     if speed <= speeds[0]:
         return 0

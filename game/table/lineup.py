@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import isfinite
-from typing import TYPE_CHECKING
 
 from danggu.players.positions import SAGU, SHELF, Position, opening
 from game.aim.entry import BOXES, fault
-from game.text import words
+from game.text import LANGUAGES
 from physics import Ball, EventDriven, World
 
 from . import presets
-
-if TYPE_CHECKING:
-    from game.session.session import Game
 
 Place = tuple[float, float]
 MARK = "danggu1"
@@ -31,14 +27,16 @@ class LineError(ValueError):
 
     def __init__(self, reason: str, word: str = "") -> None:
         self.reason, self.word = reason, word[:24]
-        super().__init__(words("en")[f"line.{reason}"].format(word=self.word))
+        super().__init__(LANGUAGES["en"][f"line.{reason}"].format(word=self.word))
 
 
 @dataclass(frozen=True, slots=True)
 class Lineup:
-    """Balls by name with their places in metres on a table or a scene, and a shot's five texts.
+    """How balls lie, perhaps with a shot.
 
-    `table` is a key of `presets.TABLES` or `presets.SCENES`; `texts` is empty without a shot.
+    table  a key of `presets.TABLES` or `presets.SCENES`
+    balls  names and places, m
+    texts  the five of a shot, or none
     """
 
     table: str
@@ -138,17 +136,16 @@ def _balls(table: str, names: list[str]) -> dict[str, Ball]:
     return {ball.name: ball for ball in presets.scene_world(table).balls if ball.name in names}
 
 
-def of(game: Game, *, shot: bool = False) -> Lineup:
-    """How the balls of a game lie, with the numbers in the boxes if they are asked for.
+def of(world: World, table: str, texts: Sequence[str] = ()) -> Lineup:
+    """How balls lie on a table, with the five texts of a shot if there are any.
 
-    Those that fixed steps have left in each other are parted: a line has to be read again.
+    Balls that fixed steps have left in each other are parted: a line has to be read again.
     """
-    world = game.world.copy()
+    world = world.copy()
     world.engine = EventDriven()
     world.part()
     balls = tuple((ball.name, ball.position) for ball in world.balls)
-    texts = tuple(game.aim.texts) if shot and game.aim.shot else ()
-    return Lineup(game.table, balls, texts)
+    return Lineup(table, balls, tuple(texts))
 
 
 # -- the shelf -----------------------------------------------------------------------------------

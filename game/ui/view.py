@@ -10,22 +10,23 @@ import pygame
 from game.aim.spread import Spread
 from game.input.composing import Composition
 from game.input.pointer import SLACK, Pointer
-from game.input.text_field import TextField
 from game.render.font import Type
 from game.render.layout import Layout
 from game.session.action import Action
-from game.session.session import Game
+from game.session.session import Session
 from game.settings.preferences import Preferences
+from game.text.text_field import TextField
+from game.ui.sight import Sight
 
-from .pages import help as page
+from .pages import help as keys_page
 from .pages import question
-from .pages.menu import Menu
+from .pages.menu import MenuPage
 from .pages.page_parts import Page
 from .pages.question import Question
-from .pages.rules_page import Rules
-from .pages.settings_page import Sheet
-from .pages.shelf import Shelf
-from .panels.parts import Part, Sight, fixed_parts
+from .pages.rules_page import RulesPage
+from .pages.settings_page import SettingsPage
+from .pages.shelf import ShelfPage
+from .panels.parts import Panel, fixed_parts
 from .panels.shot_panels import shot_parts
 from .table.marks import aiming
 from .table.stage import Stage
@@ -41,16 +42,16 @@ class View:
 
     def __init__(
         self,
-        game: Game,
+        session: Session,
         size: tuple[int, int],
         length: float,
         width: float,
         preferences: Preferences | None = None,
     ) -> None:
-        self.game, self.pointer, self.spread = game, Pointer(), Spread()
-        self.sheets: dict[str, Page] = {
-            "settings": Sheet(), "menu": Menu(), "shelf": Shelf(), "rules": Rules(),
-            "ask": question.Table(),
+        self.session, self.pointer, self.spread = session, Pointer(), Spread()
+        self.pages: dict[str, Page] = {
+            "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
+            "rules": RulesPage(), "ask": question.QuestionPage(),
         }  # fmt: skip
         self.composition = Composition()
         self.question: Question | None = None
@@ -60,41 +61,39 @@ class View:
         self._fit(size)
 
     @property
-    def sheet(self) -> Page:
+    def page(self) -> Page:
         """The page that lies over the table."""
-        return self.sheets[self.game.sheet]
+        return self.pages[self.session.page]
 
     def open(self) -> None:
         """A page has been laid over the table."""
         self.question = None
-        self.sheet.open(self.game)
+        self.page.open(self.session)
 
     @property
     def typing(self) -> bool:
         """Do characters go into a box, or into the page over the table?"""
-        if self.game.sheet:
-            return self.question is None and self.sheet.typing
-        return self.game.aim.box is not None and not self.game.help
+        if self.session.page:
+            return self.question is None and self.page.typing
+        return self.session.aim.box is not None and not self.session.help
 
     @property
     def field(self) -> TextField | None:
         """The text that keys edit: of a box, or of the page over the table if it has one."""
-        if not self.game.sheet:
-            return self.game.aim.edited
-        found = None if self.question is not None else getattr(self.sheet, "field", None)
+        if not self.session.page:
+            return self.session.aim.edited
+        found = None if self.question is not None else getattr(self.page, "field", None)
         return found if isinstance(found, TextField) else None
-
-    def pass_on(self, event: pygame.event.Event) -> Action | None:
-        """Return what an event means for the page over the table, or for the question over it."""
-        if self.question is not None:
-            return self._answer(self.question, event)
-        return self.sheet.handle(event, self.sight)
 
     def ask(self, action: Action) -> None:
         """Ask over the page whether an action is to be done."""
         self.question = Question(action)
 
-    def _answer(self, asked: Question, event: pygame.event.Event) -> Action | None:
+    def answer(self, event: pygame.event.Event) -> Action | None:
+        """Return what an event means for the question, which goes when it is answered."""
+        asked = self.question
+        if asked is None:
+            return None
         if event.type == pygame.KEYDOWN:
             always = self.preferences.keys.always.get(event.key)
             if always == Action("language"):
@@ -116,7 +115,7 @@ class View:
         self._fit(self.sight.layout.size)
 
     def resize(self, size: tuple[int, int]) -> None:
-        """Lay everything out anew."""
+        """Lay everything out again."""
         before = self.stage
         self._fit(size)
         self.stage.take_over(before)
@@ -124,16 +123,16 @@ class View:
     def _fit(self, size: tuple[int, int]) -> None:
         layout = Layout(size, *self._table)
         given = self.pointer, self.preferences, self.spread
-        self.sight = Sight(self.game, layout, Type(layout.s), *given)
+        self.sight = Sight(self.session, layout, Type(layout.s), *given)
         self.sight.composition = self.composition
-        self.stage = Stage(layout, self.game, self.preferences.settings, self.spread)
+        self.stage = Stage(layout, self.session, self.preferences.settings, self.spread)
         self.sight.portrait = self.stage.sprites.portrait
         self.parts = fixed_parts(layout) + shot_parts(layout)
         self._drawn: dict[str, Hashable] = {}
         self._mode = ""
         self._news: Hashable = None
         self._overlay: Hashable = None
-        self._sheet_look: Hashable = None
+        self._page_look: Hashable = None
         self._behind: pygame.Surface | None = None
         self._whole = True
 
@@ -146,12 +145,14 @@ class View:
 
         `seconds` have passed since the last time.
         """
-        game, spread = self.game, self.spread
-        if not (self.preferences.settings.fan and aiming(game)) or game.preview is None:
+        session, spread = self.session, self.spread
+        if not (self.preferences.settings.fan and aiming(session)) or session.preview is None:
             return spread.clear(), False
-        changed = spread.follow(game, seconds)
-        if spread.still >= STILL and not spread.done:
-            spread.take(game, BATCH)
+        changed = spread.follow(session.preview_key, seconds)
+        shot, contest = session.aim.shot, session.contest
+        if shot is not None and spread.still >= STILL and not spread.done:
+            scores = contest.scores if contest is not None else None
+            spread.take(session.world, session.cue, shot, BATCH, scores)
             changed = True
         if changed:
             self._news = None
@@ -166,54 +167,54 @@ class View:
             self._overlay, self._whole = overlay, True
         if self._whole:
             return self._draw_whole(surface)
-        if self.game.help:
+        if self.session.help:
             return []
-        if self.game.sheet:
-            return self._draw_sheet(surface)
-        return self.stage.draw(surface, self.game) + self._draw_parts(surface)
+        if self.session.page:
+            return self._draw_page(surface)
+        return self.stage.draw(surface, self.session) + self._draw_parts(surface)
 
     def _wanted(self) -> Hashable:
         """What lies over the window: the page of keys, the settings, or None."""
-        shown = "help" if self.game.help else self.game.sheet
-        return (shown, self.game.language) if shown else None
+        shown = "help" if self.session.help else self.session.page
+        return (shown, self.session.language) if shown else None
 
-    def _draw_sheet(self, surface: pygame.Surface) -> list[pygame.Rect]:
-        look = self.sheet.look(self.sight), self.question and self.question.look()
-        if look == self._sheet_look:
+    def _draw_page(self, surface: pygame.Surface) -> list[pygame.Rect]:
+        look = self.page.look(self.sight), self.question and self.question.look()
+        if look == self._page_look:
             return []
-        if self._sheet_look is None or self._behind is None:
+        if self._page_look is None or self._behind is None:
             self._behind = surface.copy()
         else:
             surface.blit(self._behind, (0, 0))  # round corners must not be drawn over themselves
-        self._sheet_look = look
-        rect = self.sheet.draw(surface, self.sight)
+        self._page_look = look
+        rect = self.page.draw(surface, self.sight)
         if self.question is not None:
             self.question.draw(surface, rect, self.sight)
         return [rect]
 
     def _draw_whole(self, surface: pygame.Surface) -> list[pygame.Rect]:
         self._whole = False
-        self.stage.everything(surface, self.game)
+        self.stage.everything(surface, self.session)
         self._drawn, self._mode, self._news = {}, "", None
         self._draw_parts(surface)
-        self._sheet_look = None
-        if self.game.help:
+        self._page_look = None
+        if self.session.help:
             layout = self.sight.layout
             names = self.preferences.keys.names
-            page.draw(surface, layout, self.sight.type, self.game.language, names)
-        elif self.game.sheet:
-            page.darken(surface)
-            self._draw_sheet(surface)
+            keys_page.draw(surface, layout, self.sight.type, self.session.language, names)
+        elif self.session.page:
+            keys_page.darken(surface)
+            self._draw_page(surface)
         return [surface.get_rect()]
 
     def _draw_parts(self, surface: pygame.Surface) -> list[pygame.Rect]:
-        news = self.game.news, self.pointer.over, self.pointer.held, self.composition.text
+        news = self.session.news, self.pointer.over, self.pointer.held, self.composition.text
         if news == self._news:
             return []
         self._news = news
         dirty = self._switch(surface)
         for part in self._shown():
-            key = self.game.language, part.key(self.sight)
+            key = self.session.language, part.key(self.sight)
             if part.name not in self._drawn or self._drawn[part.name] != key:
                 self._drawn[part.name] = key
                 spill = 2 * round(part.spill * self.sight.layout.s)
@@ -226,7 +227,7 @@ class View:
 
     def _switch(self, surface: pygame.Surface) -> list[pygame.Rect]:
         """Clear the column when it is to show the other shot."""
-        mode = "after" if self.game.shown_shot else "aim"
+        mode = "after" if self.session.shown_shot else "aim"
         if mode == self._mode:
             return []
         self._mode = self.sight.mode = mode
@@ -237,7 +238,7 @@ class View:
         surface.blit(self.stage.base, column, column)
         return [column]
 
-    def _shown(self) -> list[Part]:
+    def _shown(self) -> list[Panel]:
         return [p for p in self.parts if p.mode in ("", self._mode)]
 
     # -- the mouse -----------------------------------------------------------------------------
@@ -283,5 +284,5 @@ class View:
                 return part.wheel(steps, self.sight)
         return None
 
-    def _at(self, at: tuple[int, int]) -> Part | None:
+    def _at(self, at: tuple[int, int]) -> Panel | None:
         return next((p for p in self._shown() if p.rect.collidepoint(at)), None)

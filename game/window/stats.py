@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from game.session.session import Game
+    from game.session.session import Session
 
 
 @dataclass(slots=True)
@@ -17,9 +17,9 @@ class Stats:
     skipped: int = 0
     inputs: int = 0
 
-    def line(self, game: Game) -> str:
+    def line(self, session: Session) -> str:
         """All of it in a line."""
         return (
             f"frames drawn {self.drawn}, frames skipped {self.skipped}, "
-            f"physics calls {game.calls}, events {game.events}, inputs {self.inputs}"
+            f"physics calls {session.calls}, events {session.events}, inputs {self.inputs}"
         )

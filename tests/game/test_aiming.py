@@ -13,7 +13,7 @@ from game.aim.preview import preview
 from game.aim.tip import LIMIT, Tip, tip_of
 from game.render.parts import cue_card, gauges
 from game.session.action import Action
-from game.session.terms import Fixture
+from game.session.terms import Terms
 from game.ui.table.drag_aim import TRAVEL, pull
 from physics import Ball, CueStroke, Shot, tables
 from tests.support.players import FRAME, an_app, assert_same_as_anew, click, enter, press, write
@@ -25,7 +25,7 @@ def app():
 
 
 def number(app, box):
-    return float(app.game.aim.texts[box])
+    return float(app.session.aim.texts[box])
 
 
 def shift(monkeypatch, mods=pygame.KMOD_SHIFT):
@@ -76,23 +76,23 @@ def test_what_the_picker_shows_stays_what_was_set_although_boxes_are_rounded(app
         app.perform(Action("tip", value))
         app.perform(Action("elevate", "33"))
         right, up = map(float, value.split())
-        assert app.game.aim.tip == Tip(right, up, 33.0)
+        assert app.session.aim.tip == Tip(right, up, 33.0)
         for speed in ("0.37", "5.11", "0.05", "2"):
             app.perform(Action("power", speed))
-            assert app.game.aim.tip == Tip(right, up, 33.0)
+            assert app.session.aim.tip == Tip(right, up, 33.0)
 
 
 def test_typing_into_a_box_moves_the_tip_point_at_once(app):
     app.perform(Action("tip", "0.2 0.1"))
     press(app, "tab", "tab", "tab", "tab")
     write(app, "3.5")
-    assert app.game.aim.tip.right == pytest.approx(3.5 / (2.5 * 3.5))
+    assert app.session.aim.tip.right == pytest.approx(3.5 / (2.5 * 3.5))
 
 
 def test_power_keeps_the_tip_point_and_so_takes_the_spins_along(app):
     enter(app, "2", "1", "0", "0.5", "0")
     app.perform(Action("power", "4"))
-    assert app.game.aim.texts == ["4", "2", "0", "1", "0"]
+    assert app.session.aim.texts == ["4", "2", "0", "1", "0"]
 
 
 def test_a_level_cue_gives_no_masse_and_a_steep_one_does(app):
@@ -104,22 +104,22 @@ def test_a_level_cue_gives_no_masse_and_a_steep_one_does(app):
 
 def test_beyond_the_miscue_ring_the_tip_is_held_and_the_player_told(app):
     app.perform(Action("tip", "0.6 0.6"))
-    assert app.game.aim.tip.away == pytest.approx(LIMIT)
-    assert app.game.notice.key == "miscue"
+    assert app.session.aim.tip.away == pytest.approx(LIMIT)
+    assert app.session.notice.key == "miscue"
     assert_same_as_anew(app)
     press(app, "c")
-    assert app.game.notice is None
+    assert app.session.notice is None
     for _ in range(60):
         app.perform(Action("nudge", "0.05 0"))
-    assert app.game.aim.tip.away == pytest.approx(LIMIT)
+    assert app.session.aim.tip.away == pytest.approx(LIMIT)
 
 
 def test_dragging_the_point_of_the_picker_writes_what_is_under_the_mouse(app):
     layout = app.view.sight.layout
     (x, y), radius = gauges.tip_circle(layout.tip, layout.s)
     click(app, (x, y), (x + 0.25 * radius, y - 0.125 * radius))
-    assert app.game.aim.tip.right == pytest.approx(0.25, abs=1 / radius)
-    assert app.game.aim.tip.up == pytest.approx(0.125, abs=1 / radius)
+    assert app.session.aim.tip.right == pytest.approx(0.25, abs=1 / radius)
+    assert app.session.aim.tip.up == pytest.approx(0.125, abs=1 / radius)
 
 
 def test_the_cue_in_the_side_view_is_raised_by_dragging_its_end(app):
@@ -127,7 +127,7 @@ def test_the_cue_in_the_side_view_is_raised_by_dragging_its_end(app):
     x, y = cue_card.side_ball(layout.tip, layout.s)
     reach = 45 * layout.s
     click(app, (x + reach, y), (x + reach * cos(radians(40)), y - reach * sin(radians(40))))
-    assert app.game.aim.tip.elevation == pytest.approx(40, abs=2)
+    assert app.session.aim.tip.elevation == pytest.approx(40, abs=2)
 
 
 def test_alt_and_the_arrows_move_the_tip_and_raise_the_cue(app, monkeypatch):
@@ -135,12 +135,10 @@ def test_alt_and_the_arrows_move_the_tip_and_raise_the_cue(app, monkeypatch):
     for key, mods in (("RIGHT", pygame.KMOD_ALT), ("UP", pygame.KMOD_ALT | pygame.KMOD_SHIFT)):
         code = getattr(pygame, f"K_{key}")
         pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=code, mod=mods, unicode=""))
-    steep = pygame.event.Event(
-        pygame.KEYDOWN, key=pygame.K_PAGEUP, mod=pygame.KMOD_ALT, unicode=""
-    )
+    steep = pygame.event.Event(pygame.KEYDOWN, key=pygame.K_PAGEUP, mod=pygame.KMOD_ALT, unicode="")
     pygame.event.post(steep)
     app.frame(FRAME)
-    assert app.game.aim.tip == Tip(0.05, 0.01, 5.0)
+    assert app.session.aim.tip == Tip(0.05, 0.01, 5.0)
 
 
 # -- the angle -----------------------------------------------------------------------------------
@@ -155,7 +153,7 @@ def test_keys_turn_the_aim_by_their_step(app, key, step):
     before = number(app, 4)
     press(app, key)
     assert number(app, 4) == pytest.approx(before + step, abs=1e-9)
-    assert app.game.aim.complete
+    assert app.session.aim.complete
 
 
 @pytest.mark.parametrize(
@@ -169,7 +167,7 @@ def test_the_wheel_turns_the_aim_by_the_same_steps(app, monkeypatch, mods, step)
 
 
 def test_a_drag_aims_at_the_mouse_and_with_shift_turns_a_tenth_as_much(app, monkeypatch):
-    layout, ball = app.view.sight.layout, app.game.world.ball("white")
+    layout, ball = app.view.sight.layout, app.session.world.ball("white")
     x, y = layout.to_screen(*ball.position)
     click(app, (x + 100, y), (x + 200, y - 100))
     assert number(app, 4) == pytest.approx(degrees(atan2(100, 200)), abs=0.5)
@@ -181,10 +179,10 @@ def test_a_drag_aims_at_the_mouse_and_with_shift_turns_a_tenth_as_much(app, monk
 
 def test_the_mouse_aims_the_next_shot_straight_after_the_last_one(app):
     press(app, "return", "end")
-    assert app.game.shown_shot
+    assert app.session.shown_shot
     click(app, app.view.sight.layout.bed.center)
-    assert not app.game.shown_shot
-    assert app.game.aim.complete
+    assert not app.session.shown_shot
+    assert app.session.aim.complete
 
 
 # -- power ---------------------------------------------------------------------------------------
@@ -202,7 +200,7 @@ def test_more_than_half_of_the_power_bar_is_for_less_than_three_metres_a_second(
 
 def test_pulling_the_cue_back_gives_power_one_to_one(app):
     app.perform(Action("set", "speed 1 angle 0"))
-    layout, ball = app.view.sight.layout, app.game.world.ball("white")
+    layout, ball = app.view.sight.layout, app.session.world.ball("white")
     grip = ball.position[0] - ball.radius - pull(1.0) - 0.05, ball.position[1]
     x, y = layout.to_screen(*grip)
     click(app, (x, y), (x - 0.1 * layout.scale, y))
@@ -232,7 +230,7 @@ def test_every_eighth_can_be_chosen_and_is_met_exactly(app):
     for place, eighth in enumerate(gauges.EIGHTHS_SHOWN):
         layout = app.view.sight.layout
         click(app, gauges.eighth_boxes(layout.thickness, layout.s)[place].center)
-        contact = app.game.preview.contact
+        contact = app.session.preview.contact
         assert abs(contact.overlap) == pytest.approx(1 - abs(eighth) / 8, abs=2e-4)
         if eighth:
             assert (contact.overlap > 0) == (eighth > 0)
@@ -240,11 +238,11 @@ def test_every_eighth_can_be_chosen_and_is_met_exactly(app):
 
 def test_a_curved_way_meets_the_eighth_as_well(app):
     enter(app, "2", "-1", "1", "1", "40")
-    first = app.game.preview.contact
+    first = app.session.preview.contact
     assert first is not None
-    assert len(app.game.preview.way) > 2
+    assert len(app.session.preview.way) > 2
     press(app, "t")
-    ball = app.game.preview.contact
+    ball = app.session.preview.contact
     past = 8 * (1 - abs(ball.overlap))
     assert past == pytest.approx(round(past), abs=2e-3)
     assert ball.ball == first.ball
@@ -254,11 +252,11 @@ def test_off_a_cushion_the_eighth_is_met_off_that_cushion(app):
     app.perform(Action("set", "speed 4 follow 0 masse 0 side 0 angle 120"))
     for step in range(60):
         app.perform(Action("set", f"angle {100 + step}"))
-        contact = app.game.preview.contact
-        if contact is not None and len(app.game.preview.way) > 2:
+        contact = app.session.preview.contact
+        if contact is not None and len(app.session.preview.way) > 2:
             break
     press(app, "t")
-    now = app.game.preview
+    now = app.session.preview
     assert now.contact.ball == contact.ball
     assert len(now.way) > 2
     assert abs(number(app, 4) - (100 + step)) < 3
@@ -271,7 +269,7 @@ def test_t_goes_through_the_eighths_one_by_one_and_stops_at_the_last(app):
     press(app, *["shift+t"] * 20)
     seen = []
     for _ in range(20):
-        seen.append(round(app.game.preview.contact.overlap * 8))
+        seen.append(round(app.session.preview.contact.overlap * 8))
         press(app, "t")
     assert seen[:15] == [1, 2, 3, 4, 5, 6, 7, seen[7], -7, -6, -5, -4, -3, -2, -1]
     assert abs(seen[7]) == 8
@@ -290,10 +288,10 @@ def test_half_a_ball_of_another_size_is_half_of_the_distance_at_which_they_touch
 
 def test_without_a_ball_in_the_way_there_is_no_thickness_to_choose(app):
     app.perform(Action("set", "speed 0.3 follow 0 side 0 angle 180"))
-    before = list(app.game.aim.texts)
+    before = list(app.session.aim.texts)
     press(app, "t")
-    assert app.game.notice.key == "thickness.none"
-    assert app.game.aim.texts == before
+    assert app.session.notice.key == "thickness.none"
+    assert app.session.aim.texts == before
 
 
 # -- aids and the fan ----------------------------------------------------------------------------
@@ -332,7 +330,7 @@ def test_the_fan_takes_no_part_in_what_happens(app):
         for _ in range(30):
             one.frame(FRAME)
         press(one, "return", "end")
-    ends = [[ball.position for ball in one.game.world.balls] for one in (app, other)]
+    ends = [[ball.position for ball in one.session.world.balls] for one in (app, other)]
     assert ends[0] == ends[1]
 
 
@@ -342,7 +340,7 @@ def test_the_fan_takes_no_part_in_what_happens(app):
 def test_the_balls_do_not_wait_for_the_cue(app):
     press(app, "return", frames=False)
     app.frame(0)
-    assert hypot(*app.game.world.ball("white").velocity) == pytest.approx(3.5)
+    assert hypot(*app.session.world.ball("white").velocity) == pytest.approx(3.5)
     shown = app.view.stage._cue[0]
     assert shown is not None
     for _ in range(25):
@@ -358,7 +356,7 @@ def test_reduced_motion_shows_no_stroke(app):
 
 
 def test_in_a_match_the_share_of_the_fan_that_scores_is_told(app):
-    app.perform(Action("match", Fixture("four-ball").line()))
+    app.perform(Action("match", Terms("four-ball").line()))
     app.perform(Action("set", "speed 3.49 follow 0.78 masse 0 side -1.15 angle 83.72"))
     press(app, "f")
     for _ in range(40):
@@ -381,6 +379,6 @@ def test_a_shot_that_never_ends_has_no_preview_under_either_engine(engine):
     app = an_app(scene="cradle")
     app.perform(Action("engine", engine))
     press(app, "space", "q")
-    assert app.game.aim.complete
-    assert app.game.preview is None
+    assert app.session.aim.complete
+    assert app.session.preview is None
     assert_same_as_anew(app)

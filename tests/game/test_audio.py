@@ -78,11 +78,11 @@ def test_the_rumble_runs_on_from_its_end_to_its_beginning(bank):
 
 
 def test_a_closing_speed_gets_the_nearest_level_by_ratio():
-    assert [synth.level(v) for v in synth.SPEEDS] == list(range(8))
-    assert synth.level(0.0) == 0
-    assert synth.level(50.0) == 7
-    assert synth.level(0.1 * 1.4) == 1
-    assert synth.level(0.1 * 1.45) == 2
+    assert [synth.loudness(v) for v in synth.SPEEDS] == list(range(8))
+    assert synth.loudness(0.0) == 0
+    assert synth.loudness(50.0) == 7
+    assert synth.loudness(0.1 * 1.4) == 1
+    assert synth.loudness(0.1 * 1.45) == 2
 
 
 def test_pan_keeps_the_power_and_the_left_end_is_louder_on_the_left():
@@ -256,9 +256,9 @@ def played(app, monkeypatch):
 
 def test_a_shot_in_the_game_sounds_like_its_events(app, played):
     press(app, "return")
-    while app.game.moving:
+    while app.session.moving:
         app.frame(FRAME)
-    hits = [e.kind for e in app.game.world.log if e.kind in ("ball", "cushion")]
+    hits = [e.kind for e in app.session.world.log if e.kind in ("ball", "cushion")]
     assert played.count("stroke") == 1
     assert played.count("click") == hits.count("ball")
     assert played.count("thud") == hits.count("cushion")
@@ -266,7 +266,7 @@ def test_a_shot_in_the_game_sounds_like_its_events(app, played):
 
 def test_m_mutes_and_then_nobody_listens(app, played):
     press(app, "m", "return")
-    assert app.game.moving
+    assert app.session.moving
     run_to_rest(app)
     assert app.preferences.settings.muted
     assert played == []
@@ -289,9 +289,9 @@ def test_a_shot_looked_at_again_sounds_as_it_did_but_not_while_it_is_dragged(app
     heard = []
     app.preferences.audio.play = lambda sounds, now: heard.extend(s.kind for s in sounds.sounds)
     press(app, "home", "p")
-    while app.game.head.at is not None:
+    while app.session.timeline.at is not None:
         app.frame(FRAME)
-    hits = [e.kind for e in app.game.world.log if e.kind in ("ball", "cushion")]
+    hits = [e.kind for e in app.session.world.log if e.kind in ("ball", "cushion")]
     assert heard.count("click") == hits.count("ball")
     assert heard.count("thud") == hits.count("cushion")
     assert "stroke" not in heard
@@ -306,5 +306,5 @@ def test_a_shot_looked_at_again_sounds_as_it_did_but_not_while_it_is_dragged(app
 
 def test_going_to_the_end_at_once_is_silent_but_for_the_stroke(app, played):
     press(app, "return", "end")
-    assert not app.game.moving
+    assert not app.session.moving
     assert set(played) <= {"stroke"}

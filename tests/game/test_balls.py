@@ -10,7 +10,7 @@ import pytest
 
 from game.render import theme
 from game.render.layout import Layout
-from game.render.table import turning
+from game.render.table import rotation
 from game.render.table.balls import BallSprites
 from tests.support.pictures import pixels, sprites
 
@@ -25,7 +25,7 @@ def test_a_ball_that_turns_changes_its_picture_and_one_that_rests_does_not(looks
     before = [picture(ball, i) for i in range(4)]
     assert [picture(ball, i) for i in range(4)] == before
     for i in range(4):
-        ball.turn(i, (8.0, 20.0, 3.0), 0.02)
+        ball.rotate(i, (8.0, 20.0, 3.0), 0.02)
     assert all(picture(ball, i) != before[i] for i in range(4))
 
 
@@ -38,7 +38,7 @@ def test_a_ball_rolled_a_full_turn_in_small_steps_comes_back_to_the_same_picture
     ball = sprites()
     before = pygame.surfarray.array3d(ball.sprite(0, (0.1, 0.1))[0]).astype(int)
     for _ in range(600):
-        ball.turn(0, (12.0, 16.0, 0.0), 2 * pi / 20 / 600)
+        ball.rotate(0, (12.0, 16.0, 0.0), 2 * pi / 20 / 600)
     after = pygame.surfarray.array3d(ball.sprite(0, (0.1, 0.1))[0]).astype(int)
     assert np.abs(after - before).max() <= 2
 
@@ -55,22 +55,22 @@ def test_a_ball_rolling_to_the_right_carries_its_dot_to_the_right():
         return float(np.flatnonzero(near.any(axis=1)).mean() - middle)
 
     assert dot() == pytest.approx(0, abs=1)
-    ball.turn(0, (0.0, 1.0, 0.0), 0.4)
+    ball.rotate(0, (0.0, 1.0, 0.0), 0.4)
     assert dot() == pytest.approx(ball.px * sin(0.4), abs=2)
 
 
 def test_thousands_of_turns_leave_a_rotation():
-    q = turning.RACKED
+    q = rotation.RACKED
     for i in range(5000):
-        q = turning.turned(q, (sin(i), cos(i), 0.3), 0.01)
-    m = turning.matrix(q)
+        q = rotation.rotated(q, (sin(i), cos(i), 0.3), 0.01)
+    m = rotation.matrix(q)
     assert m @ m.T == pytest.approx(np.eye(3), abs=1e-5)
 
 
 def test_a_turn_is_undone_by_the_opposite_turn():
-    q = turning.unit(turning.RACKED)
-    there = turning.turned(q, (3.0, -2.0, 1.0), 0.2)
-    assert turning.turned(there, (-3.0, 2.0, -1.0), 0.2) == pytest.approx(q, abs=1e-12)
+    q = rotation.unit(rotation.RACKED)
+    there = rotation.rotated(q, (3.0, -2.0, 1.0), 0.2)
+    assert rotation.rotated(there, (-3.0, 2.0, -1.0), 0.2) == pytest.approx(q, abs=1e-12)
 
 
 @pytest.mark.parametrize("size", [(960, 540), (1280, 720), (3840, 2160)])

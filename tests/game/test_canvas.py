@@ -67,15 +67,15 @@ def test_a_small_window_shows_its_picture_scaled_down(size):
 def test_the_mouse_hits_what_is_seen_in_a_small_window():
     app = an_app(size=(640, 360))
     shoot = app.view.sight.layout.shoot
-    before = app.game.shots
+    before = app.session.shots
     for corner in ((shoot.x + 2, shoot.y + 2), (shoot.right - 2, shoot.bottom - 2)):
         clicked(app, in_window(app, corner))
         before += 1
-        assert app.game.shots == before
+        assert app.session.shots == before
         run_to_rest(app)
         press(app, "r")
     clicked(app, in_window(app, (shoot.x - 4, shoot.centery)))
-    assert app.game.shots == before
+    assert app.session.shots == before
 
 
 def test_a_window_made_small_and_large_again_shows_what_it_did():

@@ -49,14 +49,14 @@ def test_a_changed_key_does_what_the_old_one_did():
     app = an_app()
     app.perform(Action("bind", f"pause {FREE}"))
     press(app, "p")
-    assert not app.game.paused
+    assert not app.session.paused
     press(app, FREE)
-    assert app.game.paused
+    assert app.session.paused
     app.perform(Action("unbind", "pause"))
     press(app, FREE)
-    assert app.game.paused
+    assert app.session.paused
     press(app, "p")
-    assert not app.game.paused
+    assert not app.session.paused
 
 
 def test_a_key_that_has_been_taken_meanwhile_cannot_come_back():
@@ -112,17 +112,17 @@ def test_another_table_is_laid_with_its_own_cloth_and_laws():
     app.perform(Action("engine", "thesis"))
     app.perform(Action("table", "match"))
     app.frame(FRAME)
-    assert [ball.name for ball in app.game.world.balls] == ["white", "yellow", "red"]
-    assert (app.game.cloth, app.game.law, app.game.engine) == ("table", "rigid", "thesis")
-    assert app.game.world.engine == presets.ENGINES["thesis"]()
+    assert [ball.name for ball in app.session.world.balls] == ["white", "yellow", "red"]
+    assert (app.session.cloth, app.session.law, app.session.engine) == ("table", "rigid", "thesis")
+    assert app.session.world.engine == presets.ENGINES["thesis"]()
     assert app.preferences.settings.law == "table"
     assert app.view.sight.layout.length == presets.TABLES["match"].length
 
 
 def test_a_cloth_is_the_one_that_was_chosen_and_the_tables_own_comes_back():
     app = an_app()
-    own = app.game.world.cloth
+    own = app.session.world.cloth
     app.perform(Action("cloth", "humid"))
-    assert app.game.world.cloth.slide == 0.4
+    assert app.session.world.cloth.slide == 0.4
     app.perform(Action("cloth", "table"))
-    assert app.game.world.cloth == own
+    assert app.session.world.cloth == own

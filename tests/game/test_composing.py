@@ -29,9 +29,9 @@ def send(app, kind, said):
 def to_row(app, name):
     """Open the menu at a row."""
     press(app, "f10")
-    while app.view.sheet.row.name != name:
+    while app.view.page.row.name != name:
         press(app, "down")
-    return app.view.sheet
+    return app.view.page
 
 
 def to_name(app):
@@ -40,12 +40,12 @@ def to_name(app):
 
 def to_shelf(app):
     press(app, "f4", "tab")
-    return app.view.sheet
+    return app.view.page
 
 
 def to_box(app):
     press(app, "right")
-    return app.game.aim
+    return app.session.aim
 
 
 FIELDS = {"name": to_name, "shelf": to_shelf, "box": to_box}
@@ -60,8 +60,8 @@ def test_a_name_is_what_was_composed_whatever_came_first(case, frames):
         send(app, kind, said)
         if frames:
             app.frame(FRAME)
-    assert menu.fixture.seats[0].name == case["name"]
-    assert app.game.sheet == "menu"
+    assert menu.terms.seats[0].name == case["name"]
+    assert app.session.page == "menu"
     assert (menu.row.name != "name") == case["left"]
 
 
@@ -108,8 +108,8 @@ def test_what_is_composed_in_a_box_is_kept_and_marked():
     to_box(app)
     for kind, said in (("text", "2"), ("edit", "ㅁ"), ("key", "5"), ("text", "5"), ("text", "ㅁ")):
         send(app, kind, said)
-    assert app.game.aim.texts[0] == "2ㅁ5"
-    assert [fault.box for fault in app.game.aim.shown_faults] == [0]
+    assert app.session.aim.texts[0] == "2ㅁ5"
+    assert [fault.box for fault in app.session.aim.shown_faults] == [0]
 
 
 def test_a_click_elsewhere_keeps_the_syllable_where_it_was_composed(monkeypatch):
@@ -124,7 +124,7 @@ def test_a_click_elsewhere_keeps_the_syllable_where_it_was_composed(monkeypatch)
     send(app, "text", "김")
     send(app, "edit", "이")
     send(app, "text", "이")
-    assert [seat.name for seat in menu.fixture.seats] == ["김", "이"]
+    assert [seat.name for seat in menu.terms.seats] == ["김", "이"]
 
 
 def test_where_nothing_is_typed_nothing_is_composed():
@@ -141,7 +141,7 @@ def test_what_is_composed_does_not_outlive_its_field():
     to_name(app)
     send(app, "edit", "김")
     click(app, (2, 2))
-    assert app.game.sheet == ""
+    assert app.session.page == ""
     to_box(app)
     app.frame(FRAME)
     assert app.view.composition.text == ""
@@ -152,7 +152,7 @@ def test_a_name_of_sixteen_syllables_in_pieces_is_a_name_of_sixteen():
     menu = to_name(app)
     for _ in range(16):
         send(app, "text", "\u1112\u1161\u11ab")
-    assert menu.fixture.seats[0].name == "한" * 16
+    assert menu.terms.seats[0].name == "한" * 16
     assert menu.refused == ""
 
 

@@ -8,6 +8,7 @@ import pytest
 from danggu.players import opponent
 from game.computer import thinker
 from game.session.action import Action
+from game.session.commands import perform
 from game.ui.panels import score_plates
 from tests.support.players import (
     FRAME,
@@ -33,7 +34,7 @@ def quick(monkeypatch):
 def a_duel(**more):
     app = an_app(game="four-ball", level="club", seed=3, **more)
     press(app, "ctrl+return", "end")
-    while app.game.contest.level is None:
+    while app.session.contest.level is None:
         press(app, "return")
         enter(app, "0.3", "0", "0", "0", "180")
         press(app, "return", "end")
@@ -50,58 +51,58 @@ def until(app, happened, frames=2000):
 
 def test_the_computer_shows_what_it_intends_and_plays_it(quick):
     app = a_duel()
-    game, shots = app.game, app.game.shots
-    assert game.shown_shot  # the last stroke can still be looked at
-    until(app, lambda: not game.shown_shot)
-    until(app, lambda: game.contest.share is not None and not game.contest.thinking)
-    intended = list(game.aim.texts)
-    assert "expected" in score_plates._line(app.view.sight, game.contest, 1)[0]
+    session, shots = app.session, app.session.shots
+    assert session.shown_shot  # the last stroke can still be looked at
+    until(app, lambda: not session.shown_shot)
+    until(app, lambda: session.contest.share is not None and not session.contest.thinking)
+    intended = list(session.aim.texts)
+    assert "expected" in score_plates._line(app.view.sight, session.contest, 1)[0]
     assert_same_as_anew(app)
-    until(app, lambda: game.shots > shots)
-    assert game.shooter == "yellow"
-    assert game.aim.texts != intended  # it errs
-    assert game.moving
+    until(app, lambda: session.shots > shots)
+    assert session.shooter == "yellow"
+    assert session.aim.texts != intended  # it errs
+    assert session.moving
 
 
 @pytest.mark.parametrize("key", ["return", "end", "space"])
 def test_the_computers_thinking_can_be_cut_short(key):
     app = a_duel()
-    shots = app.game.shots
+    shots = app.session.shots
     app.frame(FRAME)
     press(app, key)
     app.frame(FRAME)
-    assert app.game.shots == shots + 1
+    assert app.session.shots == shots + 1
 
 
 def test_the_button_cuts_the_computers_thinking_short():
     app = a_duel()
-    shots = app.game.shots
+    shots = app.session.shots
     app.frame(FRAME)
     click(app, app.view.sight.layout.shoot.center)
     app.frame(FRAME)
-    assert app.game.shots == shots + 1
+    assert app.session.shots == shots + 1
 
 
 def test_while_the_computer_thinks_the_window_answers(quick):
     app = a_duel()
     app.frame(FRAME)
-    shots = app.game.shots
+    shots = app.session.shots
     press(app, "left", "4", "right")
-    assert app.game.aim.box is None
+    assert app.session.aim.box is None
     press(app, "f2")
-    assert app.game.language == "ko"
-    for key, held in (("f1", "help"), ("f10", "sheet"), ("f3", "sheet")):
+    assert app.session.language == "ko"
+    for key, held in (("f1", "help"), ("f10", "page"), ("f3", "page")):
         press(app, key)
-        assert getattr(app.game, held)
+        assert getattr(app.session, held)
         for _ in range(100):
             app.frame(FRAME)
-        assert app.game.shots == shots
+        assert app.session.shots == shots
         press(app, "escape")
     for _ in range(2):  # the first time it is asked about: a match is being played
-        assert not app.game.over
+        assert not app.session.over
         pygame.event.post(pygame.event.Event(pygame.QUIT))
         app.frame(FRAME)
-    assert app.game.over
+    assert app.session.over
 
 
 def test_a_frame_of_thinking_is_at_most_one_simulation_longer_than_its_budget(monkeypatch):
@@ -126,40 +127,40 @@ def test_a_frame_of_thinking_is_at_most_one_simulation_longer_than_its_budget(mo
 
 def test_two_computers_play_each_other_to_the_end(quick):
     app = an_app(game="four-ball", level="expert,novice", handicap="1", finish="none", seed=5)
-    game = app.game
+    session = app.session
     for _ in range(3000):
-        if game.contest.match.finished:
+        if session.contest.match.finished:
             break
         app.frame(10 * FRAME)
-    match = game.contest.match
+    match = session.contest.match
     assert match.finished
     assert match.sheets[match.winner].score == 1
 
 
 def test_a_match_with_the_computer_replays_from_its_actions_alone(quick):
     app = a_duel()
-    game = app.game
-    until(app, lambda: game.contest.level is None or game.shots > 2)
+    session = app.session
+    until(app, lambda: session.contest.level is None or session.shots > 2)
     run_to_rest(app)
-    again = an_app(game="four-ball", level="club", seed=3).game
+    again = an_app(game="four-ball", level="club", seed=3).session
     for tick, action in app.actions:
         again.advance(tick - again.tick)
-        again.perform(action)
-    again.advance(game.tick - again.tick)
-    assert places(again) == places(game)
-    assert again.contest.match == game.contest.match
+        perform(again, action)
+    again.advance(session.tick - again.tick)
+    assert places(again) == places(session)
+    assert again.contest.match == session.contest.match
 
 
 def test_undo_goes_back_to_a_persons_turn(quick):
     app = a_duel()
-    game = app.game
-    strokes = game.contest.match.sheets[0].strokes
-    until(app, lambda: game.shots > strokes)
+    session = app.session
+    strokes = session.contest.match.sheets[0].strokes
+    until(app, lambda: session.shots > strokes)
     press(app, "end")
     press(app, "z")
-    assert game.contest.level is None
-    assert game.contest.match.sheets[1].strokes == 0
-    assert game.contest.match.sheets[0].strokes == strokes - 1
+    assert session.contest.level is None
+    assert session.contest.match.sheets[1].strokes == 0
+    assert session.contest.match.sheets[0].strokes == strokes - 1
 
 
 def test_random_events_in_a_match_neither_crash_nor_spoil_the_picture(quick):
@@ -177,11 +178,11 @@ def test_random_events_in_a_match_neither_crash_nor_spoil_the_picture(quick):
                 click(app, (rng.randrange(960), rng.randrange(540)))
             case _:
                 press(app, rng.choice(keys))
-        if app.game.over:
-            app.game.over = False
+        if app.session.over:
+            app.session.over = False
     assert {"sheet", "fire", "edit", "line"} <= {action.name for _, action in app.actions}
 
 
-def test_the_action_of_a_fixture_that_is_none_is_an_error():
+def test_the_action_of_terms_that_are_none_is_an_error():
     with pytest.raises(ValueError, match="JSON"):
-        an_app().game.perform(Action("match", "{"))
+        perform(an_app().session, Action("match", "{"))

@@ -34,8 +34,13 @@ def wander(app, *, held=False):
 
 
 def state(app):
-    game = app.game
-    return places(game), list(game.aim.texts), game.head.at, app.preferences.settings.volume
+    session = app.session
+    return (
+        places(session),
+        list(session.aim.texts),
+        session.timeline.at,
+        app.preferences.settings.volume,
+    )
 
 
 def table(app):
@@ -45,7 +50,7 @@ def table(app):
 
 def cue(app):
     app.perform(Action("set", "speed 1 angle 0"))
-    layout, ball = app.view.sight.layout, app.game.world.ball("white")
+    layout, ball = app.view.sight.layout, app.session.world.ball("white")
     x, y = layout.to_screen(*ball.position)
     x -= (ball.radius + pull(1.0) + 0.05) * layout.scale
     return (x, y), (x - 30, y)
@@ -75,7 +80,7 @@ def timeline(app):
 
 def placing(app):
     press(app, "b")
-    x, y = app.view.sight.layout.to_screen(*app.game.world.ball("red1").position)
+    x, y = app.view.sight.layout.to_screen(*app.session.world.ball("red1").position)
     return (x, y), (x + 40, y + 40)
 
 
@@ -137,7 +142,7 @@ def test_a_drag_goes_on_outside_the_window():
     app.handle(pygame.event.Event(pygame.WINDOWLEAVE))
     assert app.view.pointer.over == ""
     send(app, pygame.MOUSEMOTION, (5000, 300))
-    assert app.game.aim.texts[0] == "8"
+    assert app.session.aim.texts[0] == "8"
 
 
 def test_the_volume_is_let_go_with_its_page():
@@ -174,7 +179,7 @@ def test_a_click_on_the_cue_ball_leaves_a_fine_aim_alone(size, where):
     app = an_app(size=size)
     app.perform(Action("set", "angle 33.57"))
     before, layout = state(app), app.view.sight.layout
-    ball = app.game.world.ball("white")
+    ball = app.session.world.ball("white")
     x, y = (p + ball.radius * w for p, w in zip(ball.position, where, strict=True))
     at = layout.to_screen(x, y)
     near = at[0] - where[0], at[1] + where[1]
@@ -185,20 +190,20 @@ def test_a_click_on_the_cue_ball_leaves_a_fine_aim_alone(size, where):
 
 def test_a_drag_out_of_the_cue_ball_aims():
     app = an_app(size=(1280, 720))
-    x, y = app.view.sight.layout.to_screen(*app.game.world.ball("white").position)
+    x, y = app.view.sight.layout.to_screen(*app.session.world.ball("white").position)
     hold(app, (x, y), (x, y - 200))
-    assert float(app.game.aim.texts[4]) == pytest.approx(90, abs=0.5)
+    assert float(app.session.aim.texts[4]) == pytest.approx(90, abs=0.5)
 
 
 def test_a_fine_drag_over_the_ball_does_not_throw_the_aim_about(monkeypatch):
     app = an_app(size=(1280, 720))
     app.perform(Action("set", "angle 33.57"))
     monkeypatch.setattr(pygame.key, "get_mods", lambda: pygame.KMOD_SHIFT)
-    x, y = app.view.sight.layout.to_screen(*app.game.world.ball("white").position)
+    x, y = app.view.sight.layout.to_screen(*app.session.world.ball("white").position)
     hold(app, (x + 1, y), (x - 1, y))
     for dx, dy in ((0, 1), (1, 0), (0, -1)):
         send(app, pygame.MOUSEMOTION, (x + dx, y + dy))
-    assert app.game.aim.texts[4] == "33.57"
+    assert app.session.aim.texts[4] == "33.57"
 
 
 @pytest.mark.parametrize("part", ["cue", "placing"])

@@ -7,6 +7,7 @@ from game.replay.game_record import RecordError, digest, read
 from game.replay.recorder import Recorder
 from game.replay.replay import headless
 from game.session.action import Action
+from game.session.commands import perform
 from game.table import presets
 from physics import Cloth, Shot, laws, simulate
 from tests.support.records import OPTIONS, lines, rewritten
@@ -17,16 +18,16 @@ BEFORE = Cloth(slide=0.15, roll=0.005, spin_decay=5.0, gravity=9.81)
 @pytest.fixture
 def record(tmp_path):
     """A shot on new cloth, and one with Mathavan's cushion on humid cloth."""
-    path, game = tmp_path / "game.rec", new_game(OPTIONS)
-    recorder = Recorder(str(path), OPTIONS, game)
+    path, session = tmp_path / "game.rec", new_game(OPTIONS)
+    recorder = Recorder(str(path), OPTIONS, session)
     steps = (("cloth", "new"), ("set", "speed 3"), ("fire",), ("skip",), ("law", "mathavan"),
              ("cloth", "humid"), ("fire",), ("skip",))  # fmt: skip
     for step in steps:
         action = Action(*step)
         recorder.before(action)
-        game.perform(action)
+        perform(session, action)
         recorder.after()
-        game.advance(1)
+        session.advance(1)
         recorder.passed()
     recorder.close()
     return path
@@ -44,26 +45,26 @@ def test_a_record_says_its_edition_and_comes_out_the_same(record):
 
 def test_a_record_without_an_edition_is_played_with_the_presets_of_the_first(record, tmp_path):
     played = read(str(rewritten(record, tmp_path, of_the_first)), OPTIONS)
-    game = new_game(played.setup)
+    session = new_game(played.setup)
     for at, (cloth, cushion) in enumerate((
-        (BEFORE, game.came_with.cushion_law),
+        (BEFORE, session.came_with.cushion_law),
         (presets.CLOTHS["humid"], laws.MathavanCushion(slide=0.212, nose=0.039 / 0.03275)),
     )):  # fmt: skip
         for _, action in played.actions[4 * at : 4 * at + 3]:
-            game.perform(action)
-            assert game.world.cloth == cloth or action.name in ("law", "set")
-        expected = _end(game, cloth, cushion)
-        game.perform(Action("skip"))
-        assert game.world.cushion_law == cushion
-        assert [ball.position for ball in game.world.balls] == expected
+            perform(session, action)
+            assert session.world.cloth == cloth or action.name in ("law", "set")
+        expected = _end(session, cloth, cushion)
+        perform(session, Action("skip"))
+        assert session.world.cushion_law == cushion
+        assert [ball.position for ball in session.world.balls] == expected
 
 
-def _end(game, cloth, cushion):
+def _end(session, cloth, cushion):
     """Where the balls rest if the shot that has just begun is played with these."""
     world = presets.table_world("medium")
-    world.recall(game.lies)
+    world.recall(session.lies)
     world.cloth, world.cushion_law = cloth, cushion
-    speed, follow, masse, side, angle = map(float, game.aim.texts)
+    speed, follow, masse, side, angle = map(float, session.aim.texts)
     after = simulate(world, "white", Shot(speed, angle, follow, masse, side))
     return [ball.position for ball in after.balls]
 
@@ -75,11 +76,12 @@ def test_the_two_editions_differ_where_they_should(record, tmp_path):
         games.append(new_game(played.setup))
         headless(played, games[-1])
     assert digest(games[0]) != digest(games[1])
-    assert [game.edition for game in games] == [2, 1]
+    assert [session.edition for session in games] == [2, 1]
 
 
 def test_an_edition_that_is_not_known_is_refused_by_its_number(record, tmp_path):
     for strange in (3, "2", [1]):
+
         def change(found, strange=strange):
             found[0]["edition"] = strange
 

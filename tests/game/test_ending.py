@@ -24,33 +24,33 @@ def begun(tmp_path, *more):
     script.write_text("0.1 key m\n0.2 key return\n0.3 key q\n")
     record = tmp_path / "game.rec"
     said = ["--script", script, "--record", record, "--settings", tmp_path / "settings.json"]
-    game = subprocess.Popen([*DANGGU, *map(str, said), *more], stderr=subprocess.PIPE, text=True)
+    session = subprocess.Popen([*DANGGU, *map(str, said), *more], stderr=subprocess.PIPE, text=True)
     end = time.monotonic() + 30
     while time.monotonic() < end and not (record.exists() and "turn" in record.read_text()):
         time.sleep(0.02)
-    return game
+    return session
 
 
 @posix
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("times", [1, 5])
 def test_a_signal_keeps_the_settings_and_ends_the_record_in_order(tmp_path, name, times):
-    game = begun(tmp_path)
+    session = begun(tmp_path)
     for _ in range(times):
-        game.send_signal(getattr(signal, name))
-    _, err = game.communicate(timeout=30)
+        session.send_signal(getattr(signal, name))
+    _, err = session.communicate(timeout=30)
     assert err == ""
-    assert game.returncode in (0, 130)
-    assert game.returncode == 0 or times > 1
+    assert session.returncode in (0, 130)
+    assert session.returncode == 0 or times > 1
     assert Store(tmp_path / "settings.json").read().muted
     assert "end" in lines(tmp_path / "game.rec")[-1]
 
 
 @posix
 def test_a_game_that_is_killed_leaves_a_record_of_what_was_played(tmp_path, capsys):
-    game = begun(tmp_path)
-    game.kill()
-    game.communicate(timeout=30)
+    session = begun(tmp_path)
+    session.kill()
+    session.communicate(timeout=30)
     assert lines(tmp_path / "game.rec")[-1]["do"] == ["turn", "1"]
     assert entry.main(["--replay", str(tmp_path / "game.rec")]) == 0
     assert "the record was cut off" in capsys.readouterr().out
@@ -60,15 +60,15 @@ def test_a_game_that_is_killed_leaves_a_record_of_what_was_played(tmp_path, caps
 def test_a_hangup_that_the_shell_ignores_is_ignored(tmp_path):
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)  # as nohup does
     try:
-        game = begun(tmp_path, "--fps", "30")
+        session = begun(tmp_path, "--fps", "30")
     finally:
         signal.signal(signal.SIGHUP, before)
-    game.send_signal(signal.SIGHUP)
+    session.send_signal(signal.SIGHUP)
     time.sleep(0.3)
-    assert game.poll() is None
-    game.send_signal(signal.SIGTERM)
-    game.communicate(timeout=30)
-    assert game.returncode == 0
+    assert session.poll() is None
+    session.send_signal(signal.SIGTERM)
+    session.communicate(timeout=30)
+    assert session.returncode == 0
 
 
 @posix

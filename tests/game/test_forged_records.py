@@ -6,8 +6,7 @@ import pytest
 
 from game.replay import replay
 from game.replay.game_record import LATEST, RecordError, read
-from game.session.session import Game
-from game.session.values import VALUES
+from game.session.commands import COMMANDS, RECORDED, TABLE
 from tests.support.forgeries import forged
 from tests.support.records import OPTIONS, replayed, shown
 
@@ -45,11 +44,13 @@ def test_a_record_that_once_ended_the_game_does_so_no_more(path, play, capsys):
         assert_refused(path, code, SAID[path.stem], err)
 
 
-def test_every_action_of_the_game_has_its_kind_of_value():
-    assert Game._handlers.keys() - VALUES.keys() == {"quit"}
-    assert VALUES.keys() <= Game._handlers.keys()
+def test_a_record_may_hold_every_command_but_the_players_own_and_the_end():
+    assert {command.name for command in TABLE if command.own} == OWN
+    assert COMMANDS.keys() - RECORDED.keys() == OWN | {"quit"}
 
 
+OWN = {"mute", "still", "both", "fan", "volume", "aids", "colours", "bind", "unbind"}
+"""What a player chooses for seeing and hearing."""
 HEAD = '{"format":"danggu record","version":1,"with":"x","ticks":65536,"setup":%s}\n'
 END = '{"tick":%s,"end":"0"}\n'
 BAD = {

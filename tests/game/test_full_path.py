@@ -11,8 +11,9 @@ import pytest
 from game.aim.preview import preview
 from game.render.theme import ERROR
 from game.session.action import Action
-from game.session.session import Game
-from game.session.terms import FOUR_BALL, Fixture
+from game.session.commands import perform
+from game.session.session import Session
+from game.session.terms import FOUR_BALL, Terms
 from game.table import lineup
 from game.table.presets import table_world
 from physics import Shot, simulate
@@ -65,8 +66,8 @@ def lit(app, place, off):
 @pytest.mark.parametrize("case", CASES)
 def test_every_ball_that_the_cue_ball_meets_is_seen_to_be_met(case):
     app = free(case)
-    seen, game = app.game.preview, app.game
-    met, after = contacts(game.world, "white", game.aim.shot)
+    seen, session = app.session.preview, app.session
+    met, after = contacts(session.world, "white", session.aim.shot)
     own = [name for c in met if "white" in c.balls for name in c.balls if name != "white"]
     assert own == CASES[case]["met"]
     later = [next(n for n in pair if n != "white") for pair in shown(seen) if "white" in pair]
@@ -82,7 +83,7 @@ def test_every_ball_that_the_cue_ball_meets_is_seen_to_be_met(case):
 @pytest.mark.parametrize("case", CASES)
 def test_the_picture_shows_what_is_met_and_every_path_to_its_end(case, size):
     app = free(case, size)
-    seen = app.game.preview
+    seen = app.session.preview
     app.perform(Action("aids", "off"))
     app.frame(FRAME)
     off = app.canvas.surface.copy()
@@ -120,16 +121,16 @@ def match_with(case):
     app = an_app(size=(1280, 720), game="four-ball")
     found = lineup.read(CASES[case]["line"])
     lies = dict(found.balls)
-    app.game.lay([lies[ball.name] for ball in app.game.world.balls])
+    app.session.lay([lies[ball.name] for ball in app.session.world.balls])
     app.perform(Action("set", "speed {} follow {} masse {} side {} angle {}".format(*found.texts)))
-    app.game.aim.texts = list(found.texts)  # all its digits
+    app.session.aim.texts = list(found.texts)  # all its digits
     app.frame(FRAME)
     return app
 
 
 def test_a_foul_is_ringed_and_nothing_is_shown_after_it():
     app = match_with("both reds, and then the opponent's ball")
-    seen = app.game.preview
+    seen = app.session.preview
     foul = seen.meetings[seen.foul]
     assert set(foul.balls) == {"white", "yellow"}
     assert seen.foul == len(seen.meetings) - 1
@@ -139,27 +140,27 @@ def test_a_foul_is_ringed_and_nothing_is_shown_after_it():
     assert min(sum(abs(a - b) for a, b in zip(pixel, ERROR, strict=True)) for pixel in ring) < 60
     app.perform(Action("fire"))
     app.perform(Action("skip"))
-    assert app.game.contest.verdict.reason == "opponent_ball"
+    assert app.session.contest.verdict.reason == "opponent_ball"
 
 
 def test_the_first_contact_may_be_the_foul():
-    game = Game(table_world("medium"))
-    game.perform(Action("match", Fixture(FOUR_BALL).line()))
-    game.lay([(0.0, 0.0), (0.5, 0.0), (0.9, 0.4), (-0.9, 0.4)])
-    game.perform(Action("set", "speed 2 angle 0"))
-    assert game.preview.contact.ball == "yellow"
-    assert game.preview.foul == -1
-    assert game.preview.beyond == ()
+    session = Session(table_world("medium"))
+    perform(session, Action("match", Terms(FOUR_BALL).line()))
+    session.lay([(0.0, 0.0), (0.5, 0.0), (0.9, 0.4), (-0.9, 0.4)])
+    perform(session, Action("set", "speed 2 angle 0"))
+    assert session.preview.contact.ball == "yellow"
+    assert session.preview.foul == -1
+    assert session.preview.beyond == ()
 
 
 def test_in_three_cushion_the_path_ends_with_the_second_ball():
-    game = Game(table_world("match"))
-    game.perform(Action("match", Fixture("three-cushion", table="match").line()))
+    session = Session(table_world("match"))
+    perform(session, Action("match", Terms("three-cushion", table="match").line()))
     for angle in range(0, 360, 5):
-        game.perform(Action("set", f"speed 5 side 2 angle {angle}"))
-        seen = game.preview
+        perform(session, Action("set", f"speed 5 side 2 angle {angle}"))
+        seen = session.preview
         own = [pair for pair in shown(seen) if "white" in pair]
-        met, _ = contacts(game.world, "white", game.aim.shot)
+        met, _ = contacts(session.world, "white", session.aim.shot)
         names = [n for c in met if "white" in c.balls for n in c.balls if n != "white"]
         if len({*names}) == 2 and names[0] == "red":
             assert not seen.whole
@@ -171,7 +172,7 @@ def test_in_three_cushion_the_path_ends_with_the_second_ball():
 
 
 def test_a_stroke_that_nothing_has_settled_is_shown_to_its_end():
-    game = Game(table_world("medium"))
-    game.perform(Action("match", Fixture(FOUR_BALL).line()))
-    assert game.preview.whole
-    assert game.preview.foul is None
+    session = Session(table_world("medium"))
+    perform(session, Action("match", Terms(FOUR_BALL).line()))
+    assert session.preview.whole
+    assert session.preview.foul is None

@@ -9,8 +9,8 @@ import pytest
 from game import __main__ as entry
 from game import options
 from game.aim.entry import Fault, fault, typed
+from game.input.captions import words
 from game.replay import script
-from game.text import words
 from game.ui.panels.parts import hint
 from tests.support.players import an_app, enter, places, press, run_to_rest, write
 
@@ -59,42 +59,42 @@ def test_full_width_digits_and_the_true_minus_become_plain():
 @pytest.mark.parametrize("text", ["", "-", "1.2.3", "0", "-2", "1e9"])
 def test_a_bad_entry_says_wrong_input_and_moves_nothing_until_the_next_good_shot(text):
     app = an_app()
-    before = places(app.game)
+    before = places(app.session)
     enter(app, text, "0", "0", "0", "0")
     press(app, "return", "return")
-    assert places(app.game) == before
-    assert app.game.shots == 0
-    said, error = hint(app.game, words("en"))
+    assert places(app.session) == before
+    assert app.session.shots == 0
+    said, error = hint(app.session, words("en"))
     assert error
     assert said.startswith("wrong input · V: ")
     press(app, "left")
     write(app, "2")
-    assert hint(app.game, words("en"))[0].startswith("wrong input")
+    assert hint(app.session, words("en"))[0].startswith("wrong input")
     press(app, *["return"] * 6)
-    assert app.game.shots == 1
-    assert not hint(app.game, words("en"))[1]
+    assert app.session.shots == 1
+    assert not hint(app.session, words("en"))[1]
 
 
 def test_the_upper_bound_is_stated():
     app = an_app()
     enter(app, "1e9", "0", "0", "0", "0")
-    assert hint(app.game, words("en"))[0] == "wrong input · V: at most 50"
+    assert hint(app.session, words("en"))[0] == "wrong input · V: at most 50"
 
 
 def test_the_text_that_was_wrong_is_kept_for_correction():
     app = an_app()
     enter(app, "1.2.3", "0", "0", "0", "0")
     press(app, "left")
-    assert app.game.aim.texts[0] == "1.2.3"
+    assert app.session.aim.texts[0] == "1.2.3"
 
 
 def test_a_box_is_only_blamed_once_it_has_been_left():
     app = an_app()
     press(app, "right")
     write(app, "-")
-    assert app.game.aim.shown_faults == []
+    assert app.session.aim.shown_faults == []
     press(app, "return")
-    assert [f.reason for f in app.game.aim.shown_faults] == ["number"]
+    assert [f.reason for f in app.session.aim.shown_faults] == ["number"]
 
 
 def test_letters_stay_in_their_box_and_keep_it_from_being_shot():
@@ -102,23 +102,23 @@ def test_letters_stay_in_their_box_and_keep_it_from_being_shot():
     app = an_app()
     press(app, "right")
     write(app, "a2나\t.5?")
-    assert app.game.aim.texts[0] == "a2나 .5?"
+    assert app.session.aim.texts[0] == "a2나 .5?"
     press(app, "ctrl+return")
-    assert app.game.shots == 0
+    assert app.session.shots == 0
 
 
 def test_a_text_longer_than_a_box_is_cut():
     app = an_app()
     press(app, "right")
     write(app, "1" * 200)
-    assert app.game.aim.texts[0] == "1" * 16
+    assert app.session.aim.texts[0] == "1" * 16
 
 
 def test_the_hardest_shot_the_boxes_take_comes_to_rest():
     app = an_app()
     enter(app, "50", "-100", "100", "100", "77")
     press(app, "return")
-    assert app.game.moving
+    assert app.session.moving
     run_to_rest(app)
 
 

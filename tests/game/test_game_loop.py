@@ -11,9 +11,9 @@ from game import __main__ as entry
 from game.aim.entry import Aim
 from game.replay.script import parse
 from game.session.action import Action
-from game.session.session import Game, Notice
+from game.session.commands import perform
+from game.session.session import Notice, Session
 from game.session.ticks import TICKS, shares
-from game.session.timeline import events
 from game.table.presets import SCENES, table_world
 from game.window.clock import LONGEST, RealClock, VirtualClock
 from physics import EventDriven, simulate
@@ -37,11 +37,11 @@ def end_of(fps, substeps):
     app.script = parse(TWO_SHOTS)
     app.view.draw = lambda surface: []  # drawing changes nothing, and takes most of the time
     clock = VirtualClock(fps)
-    while app.game.tick < 14 * TICKS:
+    while app.session.tick < 14 * TICKS:
         app.frame(clock.frame(True))
-    assert app.game.shots == 2
-    assert not app.game.moving
-    return places(app.game)
+    assert app.session.shots == 2
+    assert not app.session.moving
+    return places(app.session)
 
 
 def test_frame_rate_and_substeps_leave_no_trace_in_the_outcome():
@@ -76,9 +76,9 @@ def test_physics_is_called_n_times_a_frame():
     for n in (1, 6):
         app = an_app(substeps=n)
         press(app, "return")
-        before = app.game.calls
+        before = app.session.calls
         app.frame(FRAME)
-        assert app.game.calls - before == n
+        assert app.session.calls - before == n
 
 
 def test_nothing_is_drawn_and_no_physics_called_when_nothing_changes():
@@ -86,10 +86,10 @@ def test_nothing_is_drawn_and_no_physics_called_when_nothing_changes():
     press(app, "return")
     run_to_rest(app)
     app.frame(FRAME)
-    drawn, calls, skipped = app.stats.drawn, app.game.calls, app.stats.skipped
+    drawn, calls, skipped = app.stats.drawn, app.session.calls, app.stats.skipped
     for _ in range(100):
         app.frame(FRAME)
-    assert (app.stats.drawn, app.game.calls) == (drawn, calls)
+    assert (app.stats.drawn, app.session.calls) == (drawn, calls)
     assert app.stats.skipped == skipped + 100
 
 
@@ -128,7 +128,7 @@ def test_quit_in_a_script_ends_before_the_frames_are_over(tmp_path, capsys):
 @pytest.mark.parametrize("scene", SCENES)
 def test_every_scene_can_be_played_in_the_game(scene):
     app = an_app(scene=scene)
-    began_moving = app.game.moving
+    began_moving = app.session.moving
     for _ in range(30):
         app.frame(FRAME)
     assert app.stats.drawn > (20 if began_moving else 0)
@@ -136,31 +136,31 @@ def test_every_scene_can_be_played_in_the_game(scene):
 
 def test_a_scene_that_begins_in_motion_shows_its_shot_in_the_boxes_and_can_be_retried():
     app = an_app(scene="thesis_1")
-    assert [float(t) for t in app.game.aim.texts] == [2, -10, 5, 0, 0]
+    assert [float(t) for t in app.session.aim.texts] == [2, -10, 5, 0, 0]
     run_to_rest(app)
-    first = places(app.game)
+    first = places(app.session)
     press(app, "r")
-    assert app.game.moving
+    assert app.session.moving
     run_to_rest(app)
-    assert places(app.game) == first
+    assert places(app.session) == first
 
 
 def test_an_action_nobody_knows_is_an_error():
     with pytest.raises(KeyError):
-        Game(table_world("medium")).perform(Action("dance"))
+        perform(Session(table_world("medium")), Action("dance"))
 
 
 def test_actions_replayed_at_their_ticks_give_the_same_game():
     app = an_app()
     app.script = parse(TWO_SHOTS)
-    while app.game.tick < 4 * TICKS:
+    while app.session.tick < 4 * TICKS:
         app.frame(FRAME)
-    again = Game(table_world("medium"), substeps=1)
+    again = Session(table_world("medium"), substeps=1)
     for tick, action in app.actions:
         again.advance(tick - again.tick)
-        again.perform(action)
-    again.advance(app.game.tick - again.tick)
-    assert places(again) == places(app.game)
+        perform(again, action)
+    again.advance(app.session.tick - again.tick)
+    assert places(again) == places(app.session)
 
 
 KEYS = [
@@ -185,7 +185,7 @@ def test_random_events_neither_crash_the_game_nor_spoil_the_picture(seed, scene)
             case _:
                 at, to = ((rng.randrange(960), rng.randrange(540)) for _ in range(2))
                 click(app, at, to)
-    assert not app.game.over
+    assert not app.session.over
 
 
 def test_starting_the_game_loads_neither_numba_nor_matplotlib():
@@ -201,15 +201,15 @@ def test_starting_the_game_loads_neither_numba_nor_matplotlib():
 
 def test_a_shot_with_too_many_events_is_stopped_with_a_message_and_the_game_goes_on():
     app = an_app()
-    app.game.world.engine = EventDriven(budget=3)
+    app.session.world.engine = EventDriven(budget=3)
     press(app, "return")
     for _ in range(200):
         app.frame(FRAME)
-    assert not app.game.moving
-    assert app.game.notice == Notice("budget", error=True)
-    app.game.world.engine = EventDriven()
+    assert not app.session.moving
+    assert app.session.notice == Notice("budget", error=True)
+    app.session.world.engine = EventDriven()
     press(app, "r", "return")
-    assert app.game.moving
+    assert app.session.moving
 
 
 def test_events_are_worked_out_of_the_log_once_and_once_more_at_rest(monkeypatch):
@@ -223,7 +223,7 @@ def test_events_are_worked_out_of_the_log_once_and_once_more_at_rest(monkeypatch
     app = an_app(scene="rack15")
     run_to_rest(app)
     press(app, "n")  # the list is drawn anew
-    log = app.game.world.log
+    log = app.session.world.log
     # the last one is looked at again to see how long the shot has lasted
     assert 60 < len(log) <= len(made) <= 2 * len(log) + 10
 
@@ -235,4 +235,4 @@ def test_what_is_told_of_a_shot_is_what_its_log_says_also_after_undo():
         press(app, *then)
         for _ in range(40):
             app.frame(FRAME)
-            assert events(app.game) == list(app.game.world.log)
+            assert list(app.session.timeline.events) == list(app.session.world.log)

@@ -9,11 +9,11 @@ import assets
 from game.aim.entry import BOXES
 from game.aim.preview import path
 from game.input.bindings import Keys
+from game.input.captions import words
 from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts.cards import LOG_HEAD
-from game.render.parts.fields import hint_room
-from game.text import LANGUAGES, words
+from game.text import LANGUAGES
 from game.ui.pages import help as page
 from physics import scenes
 from tests.support.players import (
@@ -71,7 +71,7 @@ def test_sixteen_balls_at_once_are_the_same_drawn_in_part_and_anew():
     app = an_app(scene="rack15")
     for _ in range(60):
         app.frame(FRAME)
-        if app.game.tick % (7 * FRAME) < FRAME:
+        if app.session.tick % (7 * FRAME) < FRAME:
             assert_same_as_anew(app)
 
 
@@ -90,11 +90,23 @@ def test_a_resized_window_shows_what_a_new_one_would():
 def test_drawing_changes_no_state():
     app = an_app()
     press(app, "return")
-    game = app.game
-    before = (game.version, game.tick, game.calls, game.world.time, list(game.aim.texts))
+    session = app.session
+    before = (
+        session.version,
+        session.tick,
+        session.calls,
+        session.world.time,
+        list(session.aim.texts),
+    )
     app.view.expose()
     app.view.draw(app.screen)
-    assert (game.version, game.tick, game.calls, game.world.time, list(game.aim.texts)) == before
+    assert (
+        session.version,
+        session.tick,
+        session.calls,
+        session.world.time,
+        list(session.aim.texts),
+    ) == before
 
 
 def test_one_moving_ball_redraws_a_small_part_of_the_window():
@@ -105,9 +117,9 @@ def test_one_moving_ball_redraws_a_small_part_of_the_window():
         app.frame(FRAME)
     area = []
     for _ in range(10):
-        app.game.advance(FRAME)
-        app.view.stage.follow(app.game)
-        area.append(sum(r.w * r.h for r in app.view.stage.draw(app.screen, app.game)))
+        app.session.advance(FRAME)
+        app.view.stage.follow(app.session)
+        area.append(sum(r.w * r.h for r in app.view.stage.draw(app.screen, app.session)))
     ball = (4 * app.view.stage.sprites.px) ** 2
     assert max(area) < 6 * ball
 
@@ -144,7 +156,7 @@ def layouts():
 @pytest.mark.parametrize("layout", layouts(), ids=lambda v: f"{v.size[0]}-{v.length}")
 def test_every_hint_and_error_fits_into_its_line(language, layout):
     w, type_ = words(language), Type(layout.s)
-    room = hint_room(layout.hint, layout.s)
+    room = layout.hint.w - round(36 * layout.s)  # beside an error's sign
     errors = [
         w["wrong"].format(box=w["box." + box], why=w["why." + why].format(most="3600"))
         for box in BOXES
@@ -164,11 +176,10 @@ def test_badges_and_help_fit_into_their_places(language, layout):
         for mover in (k for k in w if k.startswith("engine.")):
             assert type_.width(f"{w[mover]} · {w[law]}", 13) <= engine
     sheet = page.panel(layout)
-    assert all(
-        type_.width(w[line], 13) <= sheet.w - 2 * page.PAD * layout.s for line in page.MOUSE
-    )
+    assert all(type_.width(w[line], 13) <= sheet.w - 2 * page.PAD * layout.s for line in page.MOUSE)
     room, names = page.column(layout) - page.KEY_COLUMN * layout.s, Keys().names
-    for key, said in (row for column in page.COLUMNS for _, rows in column for row in rows):
+    sections = [section for column in page.COLUMNS for section in column]
+    for key, said in ((row.keys, row.text) for name in sections for row in page.rows(name)):
         cap = page.caption(key, w, names)
         assert type_.width(cap, 12) <= (page.KEY_COLUMN - 12) * layout.s, cap
         assert type_.width(w[said], 13) <= room, w[said]

@@ -5,10 +5,11 @@ import re
 import pytest
 
 from game.input.bindings import DEFAULTS, Keys
+from game.input.captions import words
 from game.render.font import Type
 from game.render.layout import Layout
 from game.session.action import Action
-from game.text import KEY, LANGUAGES, words
+from game.text import KEY, LANGUAGES
 from game.ui.pages import help as page
 from game.ui.panels.parts import badge, hint
 from tests.support.players import FREE, SPARE, an_app, press
@@ -112,8 +113,8 @@ def test_every_change_of_laws_is_seen_on_the_card(lang, size, table, monkeypatch
     for key in "llllee":
         drawn.clear()
         press(app, key)
-        w, game = app.view.sight.words, app.game
-        engine, law = f"engine.{game.engine}", f"law.{game.law}"
+        w, session = app.view.sight.words, app.session
+        engine, law = f"engine.{session.engine}", f"law.{session.law}"
         short = f"{w[engine.replace('.', '.short.')]} · {w['set.' + law]}"
         assert {f"{w[engine]} · {w[law]}", short} & set(drawn)
 
@@ -136,16 +137,16 @@ def test_the_new_laws_and_the_new_engine_are_said(lang):
     app = an_app(lang=lang)
     w = words(lang)
     press(app, "l")
-    assert w["law.thesis"] in hint(app.game, w)[0]
+    assert w["law.thesis"] in hint(app.session, w)[0]
     press(app, "e")
-    assert w["engine.thesis"] in hint(app.game, w)[0]
-    assert not hint(app.game, w)[1]
-    assert w["law.thesis"] in badge(app.game, w)[0]
+    assert w["engine.thesis"] in hint(app.session, w)[0]
+    assert not hint(app.session, w)[1]
+    assert w["law.thesis"] in badge(app.session, w)[0]
     press(app, "q")
-    assert hint(app.game, w)[0] == w["hint.ready"]
+    assert hint(app.session, w)[0] == w["hint.ready"]
 
 
 def test_what_is_said_of_laws_does_not_hide_what_is_wrong():
     app = an_app()
     press(app, "right", "escape", "l")
-    assert hint(app.game, EN)[1]
+    assert hint(app.session, EN)[1]

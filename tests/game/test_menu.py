@@ -2,8 +2,8 @@
 
 import pytest
 
+from game.input.captions import words
 from game.table import lineup
-from game.text import words
 from game.ui.pages import menu_view, page_parts, shelf_view
 from game.ui.pages.rules_page import RULES
 from tests.support.matches import choose, menu_button
@@ -12,87 +12,87 @@ from tests.support.players import FRAME, an_app, assert_same_as_anew, click, pla
 
 def test_the_game_starts_at_a_table_and_not_in_a_menu():
     app = an_app()
-    assert app.game.sheet == ""
-    assert app.game.contest is None
+    assert app.session.page == ""
+    assert app.session.contest is None
     press(app, "return")
-    assert app.game.moving
+    assert app.session.moving
 
 
 @pytest.mark.parametrize("key", ["f10", "escape"])
 def test_the_menu_opens_and_closes_with_a_key_and_holds_the_balls(key):
     app = an_app()
     press(app, "return", key)
-    held = places(app.game)
+    held = places(app.session)
     app.frame(FRAME)
-    assert app.game.sheet == "menu"
-    assert places(app.game) == held
+    assert app.session.page == "menu"
+    assert places(app.session) == held
     press(app, "escape")
-    assert app.game.sheet == ""
+    assert app.session.page == ""
     app.frame(FRAME)
-    assert places(app.game) != held
+    assert places(app.session) != held
 
 
 def test_a_match_is_put_together_by_keys_alone():
     app = an_app()
     press(app, "f10", "right", "right")
-    assert app.view.sheet.fixture.game == "three-cushion"
-    assert app.view.sheet.fixture.table == "match"
+    assert app.view.page.terms.game == "three-cushion"
+    assert app.view.page.terms.table == "match"
     press(app, "left")
-    rows = [row.name for row in app.view.sheet.rows]
+    rows = [row.name for row in app.view.page.rows]
     press(app, *["down"] * rows.index("name"))
     write(app, "김 사구")
     press(app, "return", "return", "2", "5")
     press(app, "down", "down", "right", "right")
-    press(app, *["down"] * (len(rows) - app.view.sheet.focus))
+    press(app, *["down"] * (len(rows) - app.view.page.focus))
     press(app, "return")
-    match = app.game.contest.match
+    match = app.session.contest.match
     assert (match.players[0].name, match.players[0].target) == ("김 사구", 25)
-    assert app.game.contest.fixture.seats[1].level == "club"
-    assert app.game.sheet == ""
-    assert len(app.game.world.balls) == 4
+    assert app.session.contest.terms.seats[1].level == "club"
+    assert app.session.page == ""
+    assert len(app.session.world.balls) == 4
 
 
 def test_a_match_is_put_together_by_the_mouse_alone():
     app = an_app(size=(1280, 720))
     click(app, app.view.sight.layout.engine.move(-64, -11).midright)
-    assert app.game.sheet == "menu"
+    assert app.session.page == "menu"
     choose(app, "game", -1)
-    assert app.view.sheet.fixture.game == "three-cushion"
+    assert app.view.page.terms.game == "three-cushion"
     choose(app, "bank")
     choose(app, "target", 1, 3)
     click(app, menu_button(app, "start"))
-    assert app.game.contest.match.rules.bank == 2
-    assert app.game.contest.match.players[0].target == 13
-    assert app.game.table == "match"
+    assert app.session.contest.match.rules.bank == 2
+    assert app.session.contest.match.players[0].target == 13
+    assert app.session.table == "match"
 
 
 def test_the_menu_gives_back_what_is_being_played():
     app = an_app(game="four-ball", players="Ann,Bo", handicap="7,9", level="human,expert")
     press(app, "f10")
-    assert app.view.sheet.fixture == app.game.contest.fixture
+    assert app.view.page.terms == app.session.contest.terms
 
 
 def test_names_and_numbers_stay_within_what_a_match_takes():
     app = an_app(game="four-ball")
     press(app, "f10")
-    rows = [row.name for row in app.view.sheet.rows]
+    rows = [row.name for row in app.view.page.rows]
     press(app, *["down"] * rows.index("name"))
     write(app, "x" * 40)
     press(app, "down", "down", "9", "9", "9", "9")
-    seat = app.view.sheet.fixture.seats[0]
+    seat = app.view.page.terms.seats[0]
     assert (len(seat.name), seat.target) == (16, 200)
     press(app, *["backspace"] * 5)
-    assert app.view.sheet.fixture.seats[0].target == 1
+    assert app.view.page.terms.seats[0].target == 1
 
 
 def test_closing_and_clicking_outside_change_nothing():
     app = an_app(game="four-ball")
-    before = app.game.contest
+    before = app.session.contest
     for at in ((3, 3), page_parts.close_rect(app.view.sight.layout).center):
         press(app, "f10", "right")
         click(app, at)
-        assert app.game.sheet == ""
-        assert app.game.contest is before
+        assert app.session.page == ""
+        assert app.session.contest is before
 
 
 @pytest.mark.parametrize("lang", ["en", "ko"])
@@ -105,7 +105,7 @@ def test_every_page_is_the_same_drawn_in_part_and_anew(lang, size):
             press(app, more)
             assert_same_as_anew(app)
         click(app, (size[0] // 2, size[1] // 2))
-        if app.game.sheet:
+        if app.session.page:
             assert_same_as_anew(app)
             press(app, "escape")
         assert_same_as_anew(app)

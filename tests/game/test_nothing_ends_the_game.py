@@ -9,13 +9,15 @@ import pytest
 from game import __main__ as entry
 from game.aim.preview import rests
 from game.session.action import Action
-from game.session.session import Game, Notice
-from game.session.terms import FOUR_BALL, Fixture, Seat
+from game.session.commands import perform
+from game.session.session import Notice, Session
+from game.session.terms import FOUR_BALL, Contestant, Terms
 from game.session.ticks import TICKS
 from game.session.timeline import HEEDED
-from game.table import lineup, presets
+from game.table import presets
 from game.table.presets import scene_world, table_world
 from game.text import words
+from game.ui.pages.shelf import laid
 from game.ui.panels.shot_panels import log_rows
 from physics import EventDriven, Placed, Shot
 from physics.engines.stepping import SCHEMES
@@ -27,14 +29,14 @@ SCRIPT = Path(__file__).parents[1] / "data" / "rack_stop_undo.txt"
 
 def rack(scheme="thesis"):
     """A rack that has just been broken by fixed steps, stopped while its balls overlap."""
-    game = Game(scene_world("rack15"), table="rack15")
-    game.perform(Action("engine", "thesis"))
-    game.perform(Action("stop"))
-    while not overlap(game.world):
-        game.perform(Action("retry"))
-        game.advance(game.rng.randrange(TICKS // 5, TICKS // 2))
-        game.perform(Action("stop"))
-    return game
+    session = Session(scene_world("rack15"), table="rack15")
+    perform(session, Action("engine", "thesis"))
+    perform(session, Action("stop"))
+    while not overlap(session.world):
+        perform(session, Action("retry"))
+        session.advance(session.rng.randrange(TICKS // 5, TICKS // 2))
+        perform(session, Action("stop"))
+    return session
 
 
 def overlap(world):
@@ -44,9 +46,9 @@ def overlap(world):
     )
 
 
-def do(game, *names):
+def do(session, *names):
     for name in names:
-        game.perform(Action(*name) if isinstance(name, tuple) else Action(name))
+        perform(session, Action(*name) if isinstance(name, tuple) else Action(name))
 
 
 def test_a_stopped_rack_can_be_undone_after_placing():
@@ -61,114 +63,114 @@ def test_a_stopped_rack_can_be_undone_after_placing():
 )
 def test_sixty_stops_retries_and_undos_of_a_rack_give_back_the_digits(scheme):
     with engines(scheme):
-        game = Game(scene_world("rack15"), table="rack15")
-        do(game, ("engine", "thesis"), "stop")
+        session = Session(scene_world("rack15"), table="rack15")
+        do(session, ("engine", "thesis"), "stop")
         for k in range(60):
-            before = game.world.layout()
-            do(game, ("set", f"speed {6 + 0.05 * k} angle {-3 + 0.1 * k}"), "shoot")
-            game.advance(TICKS // 8 + 97 * k)
-            do(game, "stop")
-            after = game.world.layout()
-            do(game, "place", "undo")
-            assert game.world.layout() == after
-            do(game, "retry")
-            assert game.world.layout() == before
-            do(game, "undo")
-            assert game.world.layout() == after
+            before = session.world.layout()
+            do(session, ("set", f"speed {6 + 0.05 * k} angle {-3 + 0.1 * k}"), "shoot")
+            session.advance(TICKS // 8 + 97 * k)
+            do(session, "stop")
+            after = session.world.layout()
+            do(session, "place", "undo")
+            assert session.world.layout() == after
+            do(session, "retry")
+            assert session.world.layout() == before
+            do(session, "undo")
+            assert session.world.layout() == after
             if k % 7 == 0:
-                do(game, "undo", "undo", "redo", "redo")
+                do(session, "undo", "undo", "redo", "redo")
 
 
 def test_another_engine_plays_on_from_balls_that_overlap_and_leaves_none():
-    game = rack()
-    do(game, ("engine", "exact"), "fire")
-    game.advance(TICKS // 4)
-    assert not overlap(game.world)
-    do(game, "skip", ("engine", "thesis"), "undo", "redo", "retry")
+    session = rack()
+    do(session, ("engine", "exact"), "fire")
+    session.advance(TICKS // 4)
+    assert not overlap(session.world)
+    do(session, "skip", ("engine", "thesis"), "undo", "redo", "retry")
 
 
 def test_a_ball_is_placed_by_hand_among_balls_that_overlap():
-    game = rack()
+    session = rack()
     for engine in ("thesis", "exact"):
-        do(game, ("engine", engine), "arrange", ("hold", "cue"), ("move", "-0.9 0.5"))
-        assert game.world.ball("cue").position == (-0.9, 0.5)
-        do(game, "arrange", "undo")
+        do(session, ("engine", engine), "arrange", ("hold", "cue"), ("move", "-0.9 0.5"))
+        assert session.world.ball("cue").position == (-0.9, 0.5)
+        do(session, "arrange", "undo")
 
 
 def test_a_set_up_of_balls_that_overlap_is_copied_as_one_that_can_be_read():
-    game = rack()
-    line = lineup.of(game, shot=True).line()
-    do(game, ("line", line))
-    assert not overlap(game.world)
+    session = rack()
+    line = laid(session, shot=True).line()
+    do(session, ("line", line))
+    assert not overlap(session.world)
 
 
 def test_a_match_begun_while_balls_roll_leaves_nothing_to_undo():
     app = an_app(game="four-ball")
     press(app, "ctrl+return", "end", "return", "ctrl+return")
     app.frame(10 * FRAME)
-    assert app.game.moving
-    assert app.game.history.past
-    app.perform(Action("match", Fixture("three-cushion", table="match").line()), sure=True)
+    assert app.session.moving
+    assert app.session.history.past
+    app.perform(Action("match", Terms("three-cushion", table="match").line()), sure=True)
     press(app, "z", "y", "r")
-    assert len(app.game.world.balls) == 3
+    assert len(app.session.world.balls) == 3
 
 
 def test_balls_are_placed_at_random_where_a_wall_takes_half_the_table_or_not_at_all():
     for seed in range(8):
-        game = Game(scene_world("pi_collisions"), seed=seed)
-        do(game, "place")
-        assert game.notice is None
-        assert all(ball.position[0] > 0.0 for ball in game.world.balls)
+        session = Session(scene_world("pi_collisions"), seed=seed)
+        do(session, "place")
+        assert session.notice is None
+        assert all(ball.position[0] > 0.0 for ball in session.world.balls)
 
 
 def test_without_room_no_ball_is_placed(monkeypatch):
-    game = Game(table_world("medium"))
+    session = Session(table_world("medium"))
     monkeypatch.setattr(presets, "_fits", lambda *_: False)
-    before = game.world.layout()
-    do(game, "place")
-    assert game.notice == Notice("refused.room", error=True)
-    assert game.world.layout() == before
+    before = session.world.layout()
+    do(session, "place")
+    assert session.notice == Notice("refused.room", error=True)
+    assert session.world.layout() == before
 
 
 def test_an_engine_that_fails_puts_the_balls_back_and_says_so(monkeypatch):
-    game = Game(table_world("medium"))
-    before = game.world.layout()
-    do(game, "fire")
+    session = Session(table_world("medium"))
+    before = session.world.layout()
+    do(session, "fire")
 
     def fails(self, world, until):
         raise ZeroDivisionError("of a law")
 
     monkeypatch.setattr(EventDriven, "advance", fails)
     with pytest.warns(RuntimeWarning, match="of a law"):
-        game.advance(TICKS)
-    assert not game.moving
-    assert game.world.layout() == before
-    assert game.notice == Notice("failed", error=True)
-    assert game.preview is None
+        session.advance(TICKS)
+    assert not session.moving
+    assert session.world.layout() == before
+    assert session.notice == Notice("failed", error=True)
+    assert session.preview is None
     monkeypatch.undo()
-    do(game, "undo", "retry", "shoot")
-    assert game.moving
+    do(session, "undo", "retry", "shoot")
+    assert session.moving
 
 
 def test_what_never_ends_has_no_preview_and_is_not_skipped_for_ever():
     with engines("literal"):
-        game = Game(table_world("medium"))
-        do(game, ("engine", "thesis"))
-        assert not rests(game.world)
-        assert game.preview is None
-        do(game, "fire", "skip")
-        assert game.world.time == pytest.approx(5.0)
-        do(game, "stop")
-        assert not game.moving
+        session = Session(table_world("medium"))
+        do(session, ("engine", "thesis"))
+        assert not rests(session.world)
+        assert session.preview is None
+        do(session, "fire", "skip")
+        assert session.world.time == pytest.approx(5.0)
+        do(session, "stop")
+        assert not session.moving
 
 
 def test_what_the_computer_struck_is_done_again_though_the_boxes_could_not_be_read():
-    game = Game(table_world("medium"))
-    do(game, ("match", Fixture(FOUR_BALL, (Seat(), Seat())).line()))
-    do(game, "edit", ("type", "-"), ("play", "2 0 0 0 10"), "skip")
-    lies = game.world.layout()
-    do(game, "undo", "redo")
-    assert game.world.layout() == lies
+    session = Session(table_world("medium"))
+    do(session, ("match", Terms(FOUR_BALL, (Contestant(), Contestant())).line()))
+    do(session, "edit", ("type", "-"), ("play", "2 0 0 0 10"), "skip")
+    lies = session.world.layout()
+    do(session, "undo", "redo")
+    assert session.world.layout() == lies
 
 
 # -- what waits for shots that leave the cloth
@@ -177,13 +179,13 @@ def test_what_the_computer_struck_is_done_again_though_the_boxes_could_not_be_re
 @pytest.fixture
 def jumping():
     with engines("exact", jumps=True):
-        yield Game(table_world("medium"))
+        yield Session(table_world("medium"))
 
 
-def off_the_table(game):
+def off_the_table(session):
     """Shoot the cue ball over a cushion."""
-    do(game, ("set", "speed 8 follow 0 masse 0 side 0 angle 200"), "shoot", "skip")
-    assert game.world.ball("white").phase == "off"
+    do(session, ("set", "speed 8 follow 0 masse 0 side 0 angle 200"), "shoot", "skip")
+    assert session.world.ball("white").phase == "off"
 
 
 def test_a_ball_off_the_table_does_not_move_and_cannot_be_struck(jumping):
@@ -229,7 +231,7 @@ def test_under_fixed_steps_no_shot_leaves_the_cloth_and_undo_takes_the_exact_eng
 
 
 def test_in_a_match_a_ball_off_the_table_is_spotted(jumping):
-    do(jumping, ("match", Fixture(FOUR_BALL).line()))
+    do(jumping, ("match", Terms(FOUR_BALL).line()))
     spot = jumping.world.ball("white").position
     do(jumping, ("set", "speed 8 follow 0 masse 0 side 0 angle 170"), "shoot", "skip")
     assert jumping.contest.verdict.reason == "off_table"
@@ -251,8 +253,8 @@ def test_a_trace_is_whole_when_a_replay_has_caught_up_with_the_balls():
     press(app, "p")
     for _ in range(8):
         app.frame(FRAME)
-    assert app.game.head.at is None
-    assert app.game.moving
+    assert app.session.timeline.at is None
+    assert app.session.moving
     assert_same_as_anew(app)
 
 
@@ -270,13 +272,13 @@ def test_a_page_closed_and_opened_again_within_a_frame_shows_what_is_behind_it_n
 
 def test_a_layout_with_a_ball_beyond_every_cushion_is_shown_and_mended():
     app = an_app()
-    layout = app.game.world.layout()
-    app.game.put([Placed(100.0 - 70.0j), *layout[1:]])
-    app.game.version += 1
+    layout = app.session.world.layout()
+    app.session.put([Placed(100.0 - 70.0j), *layout[1:]])
+    app.session.version += 1
     app.frame(FRAME)
     assert_same_as_anew(app)
     app.perform(Action("set", "angle 90"))
-    app.game.world.strike("yellow", Shot(1.0))
-    app.game.world.run()
-    assert max(map(abs, places(app.game)[0])) < 1.27
+    app.session.world.strike("yellow", Shot(1.0))
+    app.session.world.run()
+    assert max(map(abs, places(app.session)[0])) < 1.27
     run_to_rest(app)

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from game.aim.entry import LONGEST, Aim, fault
-from game.input.numerals import hopeless, typed, value
-from game.text import words
+from game.input.captions import words
+from game.text.numerals import hopeless, typed, value
 from game.ui.panels.parts import hint
 from game.window import clipboard
 from tests.support.players import FRAME, an_app, enter, places, press, write
@@ -33,7 +33,7 @@ def test_all_that_can_be_seen_stays_in_the_box(case):
     app = an_app()
     press(app, "left", "tab")
     write(app, case["typed"])
-    assert app.game.aim.texts[1] == case["kept"]
+    assert app.session.aim.texts[1] == case["kept"]
 
 
 @pytest.mark.parametrize("case", GOOD, ids=what)
@@ -42,19 +42,19 @@ def test_what_users_keyboards_give_is_the_number_they_mean(case):
     assert fault(1, case["typed"]) is None
     app = an_app()
     enter(app, "3", case["typed"], "0", "0", "0")
-    assert app.game.aim.shot.follow == case["number"]
+    assert app.session.aim.shot.follow == case["number"]
 
 
 @pytest.mark.parametrize("case", BAD, ids=what)
 def test_what_is_no_number_is_marked_and_never_shot(case):
     app = an_app()
-    before = places(app.game)
+    before = places(app.session)
     enter(app, "3", case["typed"], "0", "0", "0")
     press(app, "return", "ctrl+return")
-    assert places(app.game) == before
-    assert app.game.aim.texts[1] == case["kept"]
+    assert places(app.session) == before
+    assert app.session.aim.texts[1] == case["kept"]
     assert states(app)[1] == "invalid"
-    assert hint(app.game, words("en")) == ("wrong input · Wx·R: not a number", True)
+    assert hint(app.session, words("en")) == ("wrong input · Wx·R: not a number", True)
 
 
 @pytest.mark.parametrize("case", TYPED, ids=what)
@@ -63,8 +63,8 @@ def test_what_is_pasted_is_what_is_typed(case, monkeypatch):
     press(app, "left", "tab")
     monkeypatch.setattr(clipboard, "get", lambda: case["typed"].strip())
     press(app, "ctrl+v")
-    assert app.game.aim.texts[1].strip() == case["kept"].strip()
-    assert (fault(1, app.game.aim.texts[1]) is None) == (case["number"] is not None)
+    assert app.session.aim.texts[1].strip() == case["kept"].strip()
+    assert (fault(1, app.session.aim.texts[1]) is None) == (case["number"] is not None)
 
 
 @pytest.mark.parametrize("text", ["1x", "1.2.3", "2 5", "가"])
@@ -73,7 +73,7 @@ def test_what_no_more_characters_can_mend_is_marked_while_it_is_typed(text):
     press(app, "right")
     write(app, text)
     assert states(app)[0] == "invalid"
-    assert hint(app.game, words("en")) == ("V: not a number", True)
+    assert hint(app.session, words("en")) == ("V: not a number", True)
     press(app, *["backspace"] * (len(text) - 1))
     assert states(app)[0] == ("focused" if text[0].isdecimal() else "invalid")
 
@@ -102,10 +102,10 @@ def test_a_character_too_many_is_said_to_be():
     app = an_app()
     press(app, "right")
     write(app, "1" * LONGEST)
-    assert app.game.notice is None
+    assert app.session.notice is None
     write(app, "2")
-    assert app.game.aim.texts[0] == "1" * LONGEST
-    assert hint(app.game, words("en")) == ("A box takes no more characters", True)
+    assert app.session.aim.texts[0] == "1" * LONGEST
+    assert hint(app.session, words("en")) == ("A box takes no more characters", True)
 
 
 @pytest.mark.parametrize("key", ["x", "comma", "i", "slash", "minus", "7"])
@@ -113,12 +113,12 @@ def test_only_digits_and_signs_begin_an_entry_from_play(key):
     app = an_app()
     char = {"comma": ",", "slash": "/", "minus": "-"}.get(key, key)
     press(app, char)
-    assert (app.game.aim.box is not None) == (char in "-7")
+    assert (app.session.aim.box is not None) == (char in "-7")
 
 
 def test_a_number_with_a_comma_in_a_box_is_used_by_the_keys_that_change_it():
     app = an_app()
-    app.game.aim.texts[0] = "2,5"
+    app.session.aim.texts[0] = "2,5"
     press(app, "pageup")
-    assert app.game.aim.texts[0] == "3"
+    assert app.session.aim.texts[0] == "3"
     app.frame(FRAME)

@@ -6,6 +6,7 @@ from game.aim.entry import Aim
 from game.aim.tip import Tip
 from game.render.parts import gauges
 from game.session.action import Action
+from game.session.commands import perform
 from game.session.session import Notice
 from game.ui.panels import aim_panel
 from tests.support.players import an_app, click, enter, press, write
@@ -30,9 +31,9 @@ def test_power_aim_and_tip_point_fill_cleared_boxes_by_mouse_alone(app):
     click(app, layout.power.center)
     tip_at(app, 0.2, -0.1)
     click(app, layout.table.center)
-    shot = app.game.aim.shot
+    shot = app.session.aim.shot
     assert shot is not None
-    assert app.game.aim.complete
+    assert app.session.aim.complete
     # the nearest pixel of the ball is up to 0.02 R away, and a spin 5/2 of that
     assert shot.side == pytest.approx(0.5 * shot.speed, abs=0.05 * shot.speed)
     assert shot.follow == pytest.approx(-0.25 * shot.speed, abs=0.05 * shot.speed)
@@ -43,20 +44,20 @@ def test_power_aim_and_tip_point_fill_cleared_boxes_by_mouse_alone(app):
 )
 def test_a_tip_point_without_a_speed_asks_for_the_power(app, what):
     name, _, value = what.partition(" ")
-    app.game.perform(Action(name, value) if value else Action(name))
-    assert app.game.notice == Notice("power", error=True)
-    assert app.game.aim.texts == [""] * 5
+    perform(app.session, Action(name, value) if value else Action(name))
+    assert app.session.notice == Notice("power", error=True)
+    assert app.session.aim.texts == [""] * 5
 
 
 @pytest.mark.parametrize("what", ["nudge 0.05 0.1", "elevate 20", "tilt 5", "centre"])
 def test_keys_of_the_tip_point_begin_in_the_middle_where_spins_are_missing(app, what):
     write(app, "2")
     name, _, value = what.partition(" ")
-    app.game.perform(Action(name, value) if value else Action(name))
+    perform(app.session, Action(name, value) if value else Action(name))
     right, up = map(float, value.split()) if name == "nudge" else (0.0, 0.0)
     steep = float(value) if name in ("elevate", "tilt") else 0.0
-    assert app.game.aim.tip == Tip(right, up, steep)
-    assert app.game.aim.number("side") == pytest.approx(5.0 * right)
+    assert app.session.aim.tip == Tip(right, up, steep)
+    assert app.session.aim.number("side") == pytest.approx(5.0 * right)
 
 
 def test_the_power_bar_shows_the_speed_while_other_boxes_are_empty(app):
@@ -72,17 +73,17 @@ def test_the_tip_point_is_known_while_the_angle_is_missing(app):
     for spin in ("1", "0", "0.5"):
         write(app, spin)
         press(app, "return")
-    assert app.game.aim.shot is None
-    assert app.game.aim.tip == Tip(0.1, 0.2)
+    assert app.session.aim.shot is None
+    assert app.session.aim.tip == Tip(0.1, 0.2)
 
 
 @pytest.mark.parametrize("speed", ["0.004", "3.14159"])
 def test_a_tip_point_leaves_a_typed_speed_as_it_is(speed):
     app = an_app()
     enter(app, speed, "0", "0", "0", "30")
-    app.game.perform(Action("tip", "0.2 0.1"))
-    assert app.game.aim.texts[0] == speed
-    assert app.game.aim.shot is not None
+    perform(app.session, Action("tip", "0.2 0.1"))
+    assert app.session.aim.texts[0] == speed
+    assert app.session.aim.shot is not None
 
 
 def test_power_scales_spins_that_no_cue_gives():

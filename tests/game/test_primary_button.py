@@ -4,13 +4,13 @@ import pytest
 
 from game.app import App
 from game.input.bindings import Keys
+from game.input.captions import words
 from game.replay.game_record import read
 from game.replay.recorder import Recorder
 from game.replay.replay import Replay
 from game.replay.script import parse
 from game.session.action import Action
 from game.session.session import Notice
-from game.text import words
 from game.ui.panels import prompts
 from game.ui.panels.parts import hint
 from tests.support.matches import opening_numbers
@@ -65,7 +65,7 @@ def over():
     app = an_app(game="four-ball", handicap="1", finish="none")
     enter(app, *opening_numbers())
     press(app, "return", "end")
-    assert app.game.contest.match.finished
+    assert app.session.contest.match.finished
     return app
 
 
@@ -150,10 +150,11 @@ PRESSES = {
 
 def state(app):
     """All that a press may change, and that is to be the same whichever way it was meant."""
-    game, aim = app.game, app.game.aim
+    session, aim = app.session, app.session.aim
     return (
-        places(game), game.shots, game.moving, game.paused, game.arranging, game.sheet,
-        game.shown_shot, game.head.at, aim.box, aim.texts, aim.complete, aim.wrong,
+        places(session), session.shots, session.moving, session.paused, session.arranging,
+        session.page, session.shown_shot, session.timeline.at, aim.box, aim.texts, aim.complete,
+        aim.wrong,
         app.thinker._hurried,
     )  # fmt: skip
 
@@ -163,7 +164,7 @@ def state(app):
 def test_button_its_key_and_return_agree_and_none_is_a_dead_end(name):
     make, label = STATES[name]
     alone, clicked, pressed, returned = make(), make(), make(), make()
-    found, cap, action = prompts.button(alone.game)
+    found, cap, action = prompts.button(alone.session)
     assert found == label
     assert alone.view.parts[5].key(alone.view.sight)[:2] == (
         words("en")[label], words("en").get(cap, ""),
@@ -174,10 +175,10 @@ def test_button_its_key_and_return_agree_and_none_is_a_dead_end(name):
     if cap:
         press(pressed, PRESSES[cap])
         assert state(clicked) == state(pressed)
-    assert (cap == "key.enter") == (prompts.entered(returned.game) == action)
+    assert (cap == "key.enter") == (prompts.entered(returned.session) == action)
     press(returned, "return")
-    aim, said = returned.game.aim, hint(returned.game, words("en"))[0]
-    explained = returned.game.notice or aim.shown_faults or said == words("en")["hint.paused"]
+    aim, said = returned.session.aim, hint(returned.session, words("en"))[0]
+    explained = returned.session.notice or aim.shown_faults or said == words("en")["hint.paused"]
     assert state(returned) != state(alone) or explained
 
 
@@ -186,36 +187,36 @@ def test_a_second_return_after_a_shot_goes_on_to_the_next_one():
     press(app, "return")
     run_to_rest(app)
     press(app, *["return"] * 6)  # to the first box, through all five; now it is complete
-    assert app.game.aim.complete
+    assert app.session.aim.complete
     press(app, "return")
-    assert app.game.shots == 2
+    assert app.session.shots == 2
 
 
 def test_return_while_balls_roll_begins_nothing():
     app = an_app()
     press(app, "return", "return", "return")
-    assert app.game.shots == 1
-    assert app.game.aim.box is None
-    assert app.game.notice == Notice("spent")
+    assert app.session.shots == 1
+    assert app.session.aim.box is None
+    assert app.session.notice == Notice("spent")
 
 
 def test_nobody_plays_the_stroke_of_a_computer_that_was_paused():
     app = an_app(game="four-ball", **COMPUTER)
     press(app, "p", "return", "ctrl+return", "left", "1")
-    assert app.game.shots == 0
-    assert app.game.aim.box is None
+    assert app.session.shots == 0
+    assert app.session.aim.box is None
     press(app, "p")
-    assert prompts.button(app.game)[0] == "hurry"
+    assert prompts.button(app.session)[0] == "hurry"
 
 
 def test_balls_that_rest_are_not_paused():
     app = an_app()
     press(app, "return", "p", "end")
-    assert not app.game.paused
+    assert not app.session.paused
     press(app, "r", "return")
-    before = places(app.game)
+    before = places(app.session)
     app.frame(FRAME)
-    assert places(app.game) != before
+    assert places(app.session) != before
 
 
 def test_a_box_chosen_while_balls_are_placed_ends_the_placing():
@@ -224,8 +225,8 @@ def test_a_box_chosen_while_balls_are_placed_ends_the_placing():
     click(app, app.view.sight.layout.fields[1].center)
     write(app, "2")
     press(app, "return")
-    assert not app.game.arranging
-    assert (app.game.aim.texts[1], app.game.aim.box) == ("2", 2)
+    assert not app.session.arranging
+    assert (app.session.aim.texts[1], app.session.aim.box) == ("2", 2)
 
 
 # -- a tip beyond the ring -----------------------------------------------------------------------
@@ -234,14 +235,14 @@ def test_a_box_chosen_while_balls_are_placed_ends_the_placing():
 def test_a_tip_held_at_the_ring_is_a_warning_and_may_be_shot():
     app = an_app()
     app.perform(Action("tip", "0.9 0"))
-    assert app.game.notice == Notice("miscue", error=False)
-    said, error = hint(app.game, words("en"))
+    assert app.session.notice == Notice("miscue", error=False)
+    said, error = hint(app.session, words("en"))
     assert (said, error) == (words("en")["notice.miscue"], False)
     part = next(part for part in app.view.parts if part.name == "hint")
     assert part.key(app.view.sight) == (said, False, True)
-    assert prompts.button(app.game)[0] == "shoot"
+    assert prompts.button(app.session)[0] == "shoot"
     press(app, "return")
-    assert app.game.shots == 1
+    assert app.session.shots == 1
 
 
 def test_a_warning_looks_neither_like_help_nor_like_an_error():
@@ -268,39 +269,39 @@ def watched(tmp_path):
     """A record of a shot that is being played."""
     played = an_app()
     path = str(tmp_path / "game.rec")
-    played.journal = Recorder(path, played.options, played.game)
+    played.journal = Recorder(path, played.options, played.session)
     played.script = parse("0.1 key return\n4 key f2\n")
     for _ in range(300):
         played.frame(FRAME)
     played.journal.close()
     record = read(path, played.options)
     app = an_app()
-    return App(app.game, app.options, journal=Replay(record, app.game))
+    return App(app.session, app.options, journal=Replay(record, app.session))
 
 
 def test_the_button_holds_and_goes_on_with_a_record_and_leaves_it(watched):
     button = watched.view.sight.layout.shoot.center
     watched.frame(FRAME)
-    assert prompts.button(watched.game)[:2] == ("hold", "key.p")
+    assert prompts.button(watched.session)[:2] == ("hold", "key.p")
     for held in (True, False):
         click(watched, button)
         assert watched.replay.paused == held
-        assert prompts.button(watched.game)[0] == ("resume" if held else "hold")
+        assert prompts.button(watched.session)[0] == ("resume" if held else "hold")
     for _ in range(400):
         watched.frame(FRAME)
-    assert prompts.button(watched.game)[0] == "leave"
+    assert prompts.button(watched.session)[0] == "leave"
     click(watched, button)
-    assert watched.game.over
+    assert watched.session.over
 
 
 def test_nothing_else_of_the_window_is_touched_while_a_record_plays(watched):
     watched.frame(FRAME)
-    before = list(watched.game.aim.texts)
+    before = list(watched.session.aim.texts)
     layout = watched.view.sight.layout
     for rect in (layout.bed, layout.power, layout.fields[0], layout.tip):
         click(watched, rect.center)
-    assert watched.game.aim.texts == before
-    assert watched.game.aim.box is None
+    assert watched.session.aim.texts == before
+    assert watched.session.aim.box is None
 
 
 # -- keys the player has chosen ------------------------------------------------------------------
@@ -312,5 +313,5 @@ def test_the_button_names_the_key_that_the_player_has_chosen():
     press(app, "return")
     assert app.view.parts[5].key(app.view.sight)[1] == FREE.upper()
     press(app, FREE)
-    assert not app.game.moving
+    assert not app.session.moving
     assert Keys().names["stop"] == "space"

@@ -3,8 +3,9 @@
 import pygame
 import pytest
 
+from game.input.captions import words
 from game.session.action import Action
-from game.text import LANGUAGES, words
+from game.text import LANGUAGES
 from game.ui.pages import question, settings_view, shelf_view
 from game.ui.pages.settings_rows import ROWS
 from tests.support.matches import menu_button, opening_numbers
@@ -24,7 +25,7 @@ TABLE = next(i for i, row in enumerate(ROWS) if row.name == "table")
 
 
 def to_another_table(app):
-    press(app, "f3", *["down"] * (TABLE - app.view.sheets["settings"].focus), "right")
+    press(app, "f3", *["down"] * (TABLE - app.view.pages["settings"].focus), "right")
 
 
 def answer(app, name):
@@ -38,13 +39,19 @@ def app():
     app = an_app(game="four-ball", handicap="5")
     enter(app, *opening_numbers())
     press(app, "return", "end", "return")
-    assert app.game.contest.match.sheets[0].score == 1
+    assert app.session.contest.match.sheets[0].score == 1
     return app
 
 
 def everything(app):
-    game = app.game
-    return game.contest.match, places(game), game.aim.texts[:], game.table, len(game.history.past)
+    session = app.session
+    return (
+        session.contest.match,
+        places(session),
+        session.aim.texts[:],
+        session.table,
+        len(session.history.past),
+    )
 
 
 NO = {
@@ -68,11 +75,11 @@ def test_a_match_goes_on_when_the_player_does_not_want_another_table(app, how):
     assert everything(app) == before
     NO[how](app)
     assert app.view.question is None
-    assert app.game.sheet == "settings"
+    assert app.session.page == "settings"
     assert everything(app) == before
     assert app.preferences.settings.table == settings
     press(app, "escape", "ctrl+return")
-    assert app.game.moving
+    assert app.session.moving
     assert "table" not in {action.name for _, action in app.actions}
 
 
@@ -81,17 +88,17 @@ def test_a_match_ends_when_the_player_wants_another_table(app, how):
     to_another_table(app)
     YES[how](app)
     assert app.view.question is None
-    assert app.game.contest is None
-    assert app.game.table == app.preferences.settings.table == "match"
+    assert app.session.contest is None
+    assert app.session.table == app.preferences.settings.table == "match"
 
 
 def test_by_mouse_alone(app):
     press(app, "f3")
     spots = settings_view.cells(TABLE, app.view.sight)
     click(app, next(cell.rect for cell in spots if cell.key == "thesis").center)
-    assert app.game.contest is not None
+    assert app.session.contest is not None
     answer(app, "end")
-    assert app.game.table == "thesis"
+    assert app.session.table == "thesis"
 
 
 def test_a_set_up_from_the_shelf_asks_too(app):
@@ -101,7 +108,7 @@ def test_a_set_up_from_the_shelf_asks_too(app):
     click(app, shelf_view.card_rect(1, app.view.sight.layout).center)
     assert everything(app) == before
     answer(app, "end")
-    assert app.game.contest is None
+    assert app.session.contest is None
 
 
 def test_a_new_game_from_the_menu_asks_too(app):
@@ -111,12 +118,12 @@ def test_a_new_game_from_the_menu_asks_too(app):
     click(app, start)
     assert app.view.question is not None
     press(app, "escape")
-    assert app.game.sheet == "menu"
+    assert app.session.page == "menu"
     assert everything(app) == before
     click(app, start)
     answer(app, "end")
-    assert app.game.sheet == ""
-    assert app.game.contest.match.opening
+    assert app.session.page == ""
+    assert app.session.contest.match.opening
     press(app, "f10")
     click(app, start)  # nothing has been played yet
     assert app.view.question is None
@@ -135,7 +142,7 @@ def to_the_engine_card(app, down):
 
 def to_a_row(app, name):
     place = next(i for i, row in enumerate(ROWS) if row.name == name)
-    press(app, "f3", *["down"] * ((place - app.view.sheets["settings"].focus) % len(ROWS)), "right")
+    press(app, "f3", *["down"] * ((place - app.view.pages["settings"].focus) % len(ROWS)), "right")
 
 
 CHANGES = {
@@ -157,7 +164,7 @@ def test_what_a_match_is_played_with_is_not_changed_unasked(app, how, rolling):
         press(app, "ctrl+return")
         for _ in range(20):
             app.frame(FRAME)
-    game, match, was = app.game, app.game.contest.match, getattr(app.game, name)
+    session, match, was = app.session, app.session.contest.match, getattr(app.session, name)
     change(app)
     assert app.view.question is not None
     before = everything(app)
@@ -166,14 +173,14 @@ def test_what_a_match_is_played_with_is_not_changed_unasked(app, how, rolling):
     assert everything(app) == before  # time stands
     press(app, "escape")
     assert app.view.question is None
-    assert (getattr(game, name), game.contest.match, game.moving) == (was, match, rolling)
-    press(app, *["escape"] * bool(game.sheet))
-    assert game.sheet == ""
+    assert (getattr(session, name), session.contest.match, session.moving) == (was, match, rolling)
+    press(app, *["escape"] * bool(session.page))
+    assert session.page == ""
     change(app)
-    press(app, "right", "return", *["escape"] * bool(game.sheet))
-    assert getattr(game, name) != was
-    assert game.contest.match == match
-    assert game.moving == rolling
+    press(app, "right", "return", *["escape"] * bool(session.page))
+    assert getattr(session, name) != was
+    assert session.contest.match == match
+    assert session.moving == rolling
 
 
 LEAVES = {
@@ -188,15 +195,15 @@ LEAVES = {
 def test_a_match_is_not_left_unasked(app, how):
     before = everything(app)
     LEAVES[how](app)
-    assert not app.game.over
+    assert not app.session.over
     assert app.view.question.words == "ask.quit"
     press(app, "return")
-    assert not app.game.over
-    press(app, *["escape"] * bool(app.game.sheet))
+    assert not app.session.over
+    press(app, *["escape"] * bool(app.session.page))
     assert everything(app) == before
     LEAVES[how](app)
     press(app, "tab", "return")
-    assert app.game.over
+    assert app.session.over
 
 
 @pytest.mark.parametrize("how", LEAVES)
@@ -204,36 +211,36 @@ def test_a_match_is_not_left_unasked(app, how):
 def test_closing_the_window_twice_leaves_wherever_it_was_asked(app, how, page):
     press(app, *[page] * (page is not None))
     LEAVES["the window's button"](app)
-    assert not app.game.over
+    assert not app.session.over
     assert_same_as_anew(app)
     LEAVES["the window's button"](app)
-    assert app.game.over
+    assert app.session.over
 
 
 def test_closing_the_window_over_another_question_asks_about_that_first(app):
     to_another_table(app)
     LEAVES["the window's button"](app)
-    assert not app.game.over
+    assert not app.session.over
     assert app.view.question.words == "ask.quit"
     LEAVES["the window's button"](app)
-    assert app.game.over
-    assert app.game.contest is not None
+    assert app.session.over
+    assert app.session.contest is not None
 
 
 def test_a_signal_leaves_at_once(app):
     app.handle(pygame.event.Event(pygame.QUIT, sure=True))
-    assert app.game.over
+    assert app.session.over
 
 
 @pytest.mark.parametrize("begun", [False, True])
 def test_the_free_table_and_a_match_not_begun_are_left_at_once(begun):
     app = an_app(game="four-ball") if begun else an_app()
     LEAVES["the window's button"](app)
-    assert app.game.over
+    assert app.session.over
 
 
 def test_what_is_chosen_already_is_not_asked_about(app):
-    app.perform(Action("law", app.game.law))
+    app.perform(Action("law", app.session.law))
     assert app.view.question is None
 
 
@@ -252,13 +259,13 @@ def test_a_question_over_the_table_is_the_same_drawn_in_part_and_anew(size, key)
 def test_nothing_is_asked_on_the_free_table_or_when_the_match_is_over():
     app = an_app()
     to_another_table(app)
-    assert app.game.table == "match"
+    assert app.session.table == "match"
     app = an_app(game="four-ball", handicap="1", finish="none")
     enter(app, *opening_numbers())
     press(app, "return", "end")
-    assert app.game.contest.match.finished
+    assert app.session.contest.match.finished
     to_another_table(app)
-    assert app.game.contest is None
+    assert app.session.contest is None
 
 
 def test_a_question_takes_every_key_and_is_forgotten_with_its_page(app):
@@ -266,10 +273,10 @@ def test_a_question_takes_every_key_and_is_forgotten_with_its_page(app):
     for key in ("f3", "f10", "5", "down", "up", "f1"):
         press(app, key)
         assert app.view.question is not None
-        assert app.game.sheet == "settings"
+        assert app.session.page == "settings"
     write(app, "3")
     press(app, "f2")
-    assert app.game.language == "ko"
+    assert app.session.language == "ko"
     pygame.event.post(pygame.event.Event(pygame.MOUSEWHEEL, x=0, y=-2))
     app.frame(FRAME)
     assert app.view.question is not None

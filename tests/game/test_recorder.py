@@ -29,8 +29,8 @@ def path(tmp_path):
 
 
 def begun(path):
-    game = new_game(OPTIONS)
-    return App(game, OPTIONS, journal=Recorder(str(path), OPTIONS, game))
+    session = new_game(OPTIONS)
+    return App(session, OPTIONS, journal=Recorder(str(path), OPTIONS, session))
 
 
 # -- an old record -------------------------------------------------------------------------------
@@ -115,10 +115,10 @@ def test_on_a_full_disk_the_game_goes_on_and_its_record_ends(path, monkeypatch):
 
     app.journal._file = Full(app.journal._file)
     press(app, "space")
-    assert app.game.notice == Notice("record.cut", error=True)
+    assert app.session.notice == Notice("record.cut", error=True)
     assert app.journal.fault.endswith("No space left on device")
     press(app, "p")
-    assert app.game.notice is None
+    assert app.session.notice is None
     app.close()
     assert path.read_bytes() == whole
     replay = headless(read(str(path), OPTIONS), new_game(OPTIONS))
@@ -198,7 +198,7 @@ def test_a_replay_without_a_window_ends_with_its_record(tmp_path, capsys):
 def test_a_notice_of_the_recorder_has_its_words_in_every_language():
     for language in LANGUAGES:
         app = an_app(lang=language)
-        app.game.notice = Notice("record.cut", error=True)
-        app.game.version += 1
-        app.game.news += 1
+        app.session.notice = Notice("record.cut", error=True)
+        app.session.version += 1
+        app.session.news += 1
         assert app.render()

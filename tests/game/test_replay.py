@@ -13,7 +13,8 @@ from game.replay.game_record import RecordError, Witness, digest, read
 from game.replay.recorder import Recorder
 from game.replay.replay import Replay, headless
 from game.session.action import Action
-from game.session.terms import FOUR_BALL, SEATS, Fixture, Seat
+from game.session.commands import perform
+from game.session.terms import FOUR_BALL, SEATS, Contestant, Terms
 from tests.support.players import FRAME, press, write
 from tests.support.records import OPTIONS, lines, recorded, replayed, rewritten, shown
 
@@ -58,13 +59,13 @@ def test_substeps_are_taken_from_the_record_and_would_change_nothing(record, tmp
 
 
 def test_the_digest_tells_the_last_bit_but_not_the_sign_of_zero():
-    game = new_game(OPTIONS)
-    before, ball = digest(game), game.world.balls[0]
+    session = new_game(OPTIONS)
+    before, ball = digest(session), session.world.balls[0]
     x, y = ball.position
     ball.velocity = (-0.0, 0.0)
-    assert digest(game) == before
+    assert digest(session) == before
     ball.position = (x * (1 + 2**-52), y)
-    assert digest(game) != before
+    assert digest(session) != before
 
 
 ANYTHING = [
@@ -76,8 +77,8 @@ ANYTHING = [
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_whatever_is_pressed_can_be_replayed(tmp_path, seed):
     rng, path = random.Random(seed), tmp_path / "game.rec"
-    game = new_game(OPTIONS)
-    app = App(game, OPTIONS, journal=Recorder(str(path), OPTIONS, game))
+    session = new_game(OPTIONS)
+    app = App(session, OPTIONS, journal=Recorder(str(path), OPTIONS, session))
     for _ in range(250):
         if rng.random() < 0.3:
             write(app, rng.choice("0123456789.-"))
@@ -92,18 +93,18 @@ def test_whatever_is_pressed_can_be_replayed(tmp_path, seed):
 
 
 def test_every_way_a_shot_can_end_is_told_once():
-    game, told = new_game(OPTIONS), []
-    witness = Witness(game, lambda tick, found: told.append(found))
+    session, told = new_game(OPTIONS), []
+    witness = Witness(session, lambda tick, found: told.append(found))
 
     def act(*names):
         for name in names:
             witness.before()
-            game.perform(Action(name))
+            perform(session, Action(name))
             witness.after()
 
     act("shoot")
     assert told == []
-    game.advance(60 * FRAME)
+    session.advance(60 * FRAME)
     witness.passed()
     act("stop")
     assert len(told) == 1
@@ -112,7 +113,7 @@ def test_every_way_a_shot_can_end_is_told_once():
     act("skip")
     assert len(told) == 3
     act("fire")
-    game.advance(3000 * FRAME)
+    session.advance(3000 * FRAME)
     witness.passed()
     witness.passed()
     assert len(told) == len(set(told)) == 4
@@ -123,23 +124,23 @@ def test_the_present_is_caught_up_with_at_the_same_tick_at_every_frame_rate():
     ends = set()
     steps = ("shoot", 20), ("faster -1", 20), ("home", 0), ("pause", 60), ("stop", 0)
     for frame in (FRAME, 2 * FRAME, 7 * FRAME // 3):
-        game = new_game(OPTIONS)
+        session = new_game(OPTIONS)
         for said, frames in steps:
             name, *value = said.split()
-            game.perform(Action(name, *map(int, value)))
+            perform(session, Action(name, *map(int, value)))
             left = frames * FRAME
             while left:
-                game.advance(min(frame, left))
+                session.advance(min(frame, left))
                 left -= min(frame, left)
-        ends.add(digest(game))
+        ends.add(digest(session))
     assert len(ends) == 1
 
 
 def test_a_match_against_the_computer_is_replayed_without_its_thinking(tmp_path, monkeypatch):
-    path, game = tmp_path / "game.rec", new_game(OPTIONS)
-    app = App(game, OPTIONS, journal=Recorder(str(path), OPTIONS, game))
-    seats = (Seat(), Seat(level=SEATS[1]))
-    app.perform(Action("match", Fixture(FOUR_BALL, seats).line()))
+    path, session = tmp_path / "game.rec", new_game(OPTIONS)
+    app = App(session, OPTIONS, journal=Recorder(str(path), OPTIONS, session))
+    seats = (Contestant(), Contestant(level=SEATS[1]))
+    app.perform(Action("match", Terms(FOUR_BALL, seats).line()))
     for _ in range(6):
         press(app, "return")
         app.frame(FRAME)
@@ -160,8 +161,8 @@ def test_a_match_against_the_computer_is_replayed_without_its_thinking(tmp_path,
 
 def test_every_line_is_in_the_file_as_soon_as_it_has_happened(tmp_path):
     path = tmp_path / "game.rec"
-    game = new_game(OPTIONS)
-    app = App(game, OPTIONS, journal=Recorder(str(path), OPTIONS, game))
+    session = new_game(OPTIONS)
+    app = App(session, OPTIONS, journal=Recorder(str(path), OPTIONS, session))
     press(app, "return")
     assert [line["do"] for line in lines(path)[1:]] == [["shoot"]]
     app.close()
@@ -174,22 +175,22 @@ def test_every_line_is_in_the_file_as_soon_as_it_has_happened(tmp_path):
 def watched(record):
     options = replace(OPTIONS, frames=None)
     played = read(str(record), options)
-    game = new_game(played.setup)
-    return App(game, played.setup, journal=Replay(played, game))
+    session = new_game(played.setup)
+    return App(session, played.setup, journal=Replay(played, session))
 
 
 def test_a_replay_can_be_held_and_goes_on(watched):
     for _ in range(30):
         watched.frame(FRAME)
     press(watched, "p")
-    tick = watched.game.tick
+    tick = watched.session.tick
     for _ in range(30):
         watched.frame(FRAME)
-    assert watched.game.tick == tick
-    assert watched.game.notice.key == "replay.paused"
+    assert watched.session.tick == tick
+    assert watched.session.notice.key == "replay.paused"
     press(watched, "space")
     watched.frame(FRAME)
-    assert watched.game.tick > tick
+    assert watched.session.tick > tick
 
 
 def test_nothing_that_is_pressed_or_typed_reaches_the_game_of_a_replay(watched):
@@ -199,13 +200,13 @@ def test_nothing_that_is_pressed_or_typed_reaches_the_game_of_a_replay(watched):
     while not watched.replay.done:
         watched.frame(20 * FRAME)
     assert watched.replay.state == "same"
-    assert watched.game.notice.key == "replay.same"
-    assert not watched.game.over
+    assert watched.session.notice.key == "replay.same"
+    assert not watched.session.over
 
 
 def test_escape_leaves_a_replay_and_the_verdict_says_how_far_it_was(watched):
     press(watched, "escape")
-    assert watched.game.over
+    assert watched.session.over
     assert watched.replay.verdict() == "left after 0 of 5 shots, the same so far"
 
 

@@ -7,8 +7,9 @@ import pytest
 from game import options
 from game.__main__ import main, new_game
 from game.session.action import Action
-from game.session.session import Game
-from game.session.terms import FOUR_BALL, Fixture, read
+from game.session.commands import perform
+from game.session.session import Session
+from game.session.terms import FOUR_BALL, Terms, read
 from game.session.ticks import TICKS
 from game.settings.settings import Settings, Store
 from game.table.presets import table_world
@@ -36,15 +37,15 @@ def result(app):
 def test_the_boxes_hold_the_stroke_while_it_is_on_show(app):
     enter(app, *MISS)
     press(app, "return", "end")
-    game = app.game
-    assert game.shown_shot
-    assert game.aim.texts == [*MISS]
-    assert game.contest.match.at == 1
+    session = app.session
+    assert session.shown_shot
+    assert session.aim.texts == [*MISS]
+    assert session.contest.match.at == 1
     press(app, "return")
-    assert not game.shown_shot
-    assert game.aim.texts[:4] == ["2.5", "0", "0", "0"]
-    assert game.preview.contact.ball in ("red1", "red2")
-    assert game.aim.complete
+    assert not session.shown_shot
+    assert session.aim.texts[:4] == ["2.5", "0", "0", "0"]
+    assert session.preview.contact.ball in ("red1", "red2")
+    assert session.aim.complete
 
 
 TURNS = {
@@ -62,19 +63,19 @@ TURNS = {
 def test_the_next_player_begins_with_own_numbers_however_it_goes_on(app, how):
     enter(app, *MISS)
     press(app, "return", "end", "return")
-    ready = list(app.game.aim.texts)
+    ready = list(app.session.aim.texts)
     again = an_app(game="four-ball", handicap="5")
     enter(again, *MISS)
     press(again, "return", "end")
     for one in (app, again):
         one.perform(Action(*TURNS[how]))
-    assert again.game.aim.texts == app.game.aim.texts
-    assert again.game.cue == "yellow"
+    assert again.session.aim.texts == app.session.aim.texts
+    assert again.session.cue == "yellow"
     if how == "it is struck":
-        assert again.game.aim.texts == ready
-        assert again.game.shooter == "yellow"
+        assert again.session.aim.texts == ready
+        assert again.session.shooter == "yellow"
         press(again, "end", "z")  # to before that stroke
-        assert again.game.aim.texts == ready
+        assert again.session.aim.texts == ready
 
 
 def test_what_is_typed_while_balls_roll_stays(app):
@@ -82,10 +83,10 @@ def test_what_is_typed_while_balls_roll_stays(app):
     press(app, "return")
     enter(app, "1.25", "0", "0", "0", "200")
     press(app, "end")
-    assert app.game.aim.texts == ["1.25", "0", "0", "0", "200"]
+    assert app.session.aim.texts == ["1.25", "0", "0", "0", "200"]
     press(app, "return")
-    assert app.game.moving
-    assert app.game.shooter == "yellow"
+    assert app.session.moving
+    assert app.session.shooter == "yellow"
 
 
 def test_a_box_that_is_edited_when_the_balls_come_to_rest_stays_so(app):
@@ -93,18 +94,18 @@ def test_a_box_that_is_edited_when_the_balls_come_to_rest_stays_so(app):
     press(app, "return", "left")
     write(app, "7")
     run_to_rest(app)
-    assert app.game.aim.texts == ["7", *MISS[1:]]
+    assert app.session.aim.texts == ["7", *MISS[1:]]
     press(app, "tab")
-    assert app.game.aim.texts == ["7", *MISS[1:]]
+    assert app.session.aim.texts == ["7", *MISS[1:]]
 
 
 def test_in_practice_the_boxes_hold_the_shot_too():
     app = an_app()
     enter(app, *MISS)
     press(app, "return", "end")
-    assert app.game.aim.texts == [*MISS]
+    assert app.session.aim.texts == [*MISS]
     press(app, "left", "escape")
-    assert app.game.aim.texts == [*MISS]
+    assert app.session.aim.texts == [*MISS]
 
 
 # -- the card of a stroke that is looked at again
@@ -114,7 +115,7 @@ def test_a_verdict_is_not_told_before_it_is_known(app):
     enter(app, *opening_numbers())
     press(app, "return", "end")
     assert result(app)[0] == "+1"
-    shot = app.game.contest.verdict.facts.decided - app.game.began
+    shot = app.session.contest.verdict.facts.decided - app.session.began
     for time in (0.0, 0.5 * shot, shot + 0.01):
         app.perform(Action("scrub", int(time * TICKS)))
         badge, first, second, _ = result(app)
@@ -125,17 +126,17 @@ def test_a_verdict_is_not_told_before_it_is_known(app):
 
 
 def test_a_foul_is_told_from_the_moment_it_happens(app):
-    game = app.game
-    game.lay([(0.0, 0.0), (0.5, 0.0), (0.9, 0.4), (-0.9, 0.4)])
+    session = app.session
+    session.lay([(0.0, 0.0), (0.5, 0.0), (0.9, 0.4), (-0.9, 0.4)])
     enter(app, "2", "0", "0", "0", "0")
     press(app, "return", "end")
     said = result(app)
-    assert game.contest.verdict.reason == "opponent_ball"
-    when = game.contest.verdict.facts.decided - game.began
+    assert session.contest.verdict.reason == "opponent_ball"
+    when = session.contest.verdict.facts.decided - session.began
     for time, told in ((0.9 * when, False), (1.01 * when, True), (2 * when, True)):
         app.perform(Action("scrub", int(time * TICKS)))
         assert (
-            result(app)[:2] == (said[0], score_plates.reason(game.contest.verdict, words(app)))
+            result(app)[:2] == (said[0], score_plates.reason(session.contest.verdict, words(app)))
         ) is told
 
 
@@ -149,7 +150,7 @@ def words(app):
 def test_the_key_of_the_engine_is_not_remembered_and_the_settings_page_is():
     app = an_app()
     press(app, "e")
-    assert app.game.engine == "thesis"
+    assert app.session.engine == "thesis"
     assert app.preferences.settings.engine == "exact"
     app.perform(Action("engine", "thesis"))
     assert app.preferences.settings.engine == "thesis"
@@ -160,21 +161,21 @@ def test_the_key_of_the_engine_is_not_remembered_and_the_settings_page_is():
 def test_the_engine_of_practice_does_not_follow_into_a_match():
     app = an_app()
     press(app, "e")
-    app.perform(Action("match", Fixture(FOUR_BALL).line()))
-    assert app.game.engine == "exact"
-    assert isinstance(app.game.world.engine, EventDriven)
-    assert app.game.contest.fixture.engine == "exact"
+    app.perform(Action("match", Terms(FOUR_BALL).line()))
+    assert app.session.engine == "exact"
+    assert isinstance(app.session.world.engine, EventDriven)
+    assert app.session.contest.terms.engine == "exact"
 
 
 def test_free_practice_keeps_the_engine_on_another_table():
-    game = Game(table_world("medium"))
-    game.perform(Action("engine"))
+    session = Session(table_world("medium"))
+    perform(session, Action("engine"))
     for action in (
-        Action("table", "match"), Action("scene", "carom"), Action("match", Fixture().line())
+        Action("table", "match"), Action("scene", "carom"), Action("match", Terms().line())
     ):  # fmt: skip
-        game.perform(action)
-        assert game.engine == "thesis"
-        assert isinstance(game.world.engine, TimeStepping)
+        perform(session, action)
+        assert session.engine == "thesis"
+        assert isinstance(session.world.engine, TimeStepping)
 
 
 def begun(*said, settings=None):
@@ -183,36 +184,36 @@ def begun(*said, settings=None):
 
 
 def test_a_match_is_played_in_steps_if_the_command_line_says_so():
-    game = begun("--game", "four-ball", "--engine", "thesis")
-    assert (game.engine, game.contest.fixture.engine) == ("thesis", "thesis")
-    game = begun("--engine", "thesis")
-    assert game.engine == game.match_engine == "thesis"
+    session = begun("--game", "four-ball", "--engine", "thesis")
+    assert (session.engine, session.contest.terms.engine) == ("thesis", "thesis")
+    session = begun("--engine", "thesis")
+    assert session.engine == session.match_engine == "thesis"
 
 
 def test_a_match_is_exact_whatever_was_chosen_for_practice():
     chosen = Settings(engine="thesis")
-    game = begun("--game", "three-cushion", settings=chosen)
-    assert (game.engine, game.contest.fixture.engine) == ("exact", "exact")
-    game = begun(settings=chosen)
-    assert (game.engine, game.match_engine) == ("thesis", "exact")
+    session = begun("--game", "three-cushion", settings=chosen)
+    assert (session.engine, session.contest.terms.engine) == ("exact", "exact")
+    session = begun(settings=chosen)
+    assert (session.engine, session.match_engine) == ("thesis", "exact")
 
 
 def test_the_menu_begins_the_match_that_the_command_line_asked_for():
     app = an_app(engine="thesis", given=frozenset({"engine"}))
     press(app, "f10", "right")
-    assert app.view.sheet.fixture.engine == "thesis"
+    assert app.view.page.terms.engine == "thesis"
     app = an_app(engine="thesis")
     press(app, "f10", "right")
-    assert app.view.sheet.fixture.engine == "exact"
+    assert app.view.page.terms.engine == "exact"
 
 
-def test_a_fixture_names_its_engine_and_a_line_without_one_is_exact():
-    line = Fixture(FOUR_BALL, engine="thesis").line()
+def test_terms_name_their_engine_and_a_line_without_one_is_exact():
+    line = Terms(FOUR_BALL, engine="thesis").line()
     assert read(line).engine == "thesis"
     old = {key: value for key, value in json.loads(line).items() if key != "engine"}
     assert read(json.dumps(old)).engine == "exact"
     with pytest.raises(ValueError, match="engine must be one of exact, thesis, not 'steam'"):
-        Fixture(engine="steam")
+        Terms(engine="steam")
 
 
 def test_what_the_key_chose_is_not_in_the_file(tmp_path):
@@ -256,7 +257,7 @@ def test_time_stands_while_a_question_is_asked(app):
     for _ in range(10):
         app.frame(FRAME)
     press(app, "e")
-    before, tick = app.game.world.time, app.game.tick
+    before, tick = app.session.world.time, app.session.tick
     app.frame(FRAME)
-    assert app.game.world.time == before
-    assert app.game.tick > tick
+    assert app.session.world.time == before
+    assert app.session.tick > tick

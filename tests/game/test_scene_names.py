@@ -2,7 +2,7 @@
 
 import pytest
 
-from game.text import words
+from game.input.captions import words
 from game.ui.panels.parts import badge
 from physics.scenes import SCENES
 from tests.support.players import an_app
@@ -13,5 +13,5 @@ from tests.support.players import an_app
 def test_a_scene_bears_its_name_of_the_shelf(scene, language):
     app = an_app(scene=scene, lang=language)
     w = words(language)
-    table = badge(app.game, w)[1]
+    table = badge(app.session, w)[1]
     assert table.endswith(w[f"position.{scene}"])

@@ -9,11 +9,13 @@ from hypothesis import strategies as st
 
 from game.aim.entry import START
 from game.session.action import Action
-from game.session.session import Game
+from game.session.commands import perform
+from game.session.session import Session
 from game.table import presets
 from game.table.library import Library
-from game.table.lineup import LineError, Lineup, of, read, shelf
+from game.table.lineup import LineError, Lineup, read, shelf
 from game.table.placing import GAP, slid
+from game.ui.pages.shelf import laid
 from physics import Ball, tables
 
 LINE = "danggu1 medium white=-0.5,0.0 red1=0.5,0.25 shot=3,0.5,0,-1,12.5"
@@ -33,12 +35,12 @@ def assert_all_lie_free(world):
 @settings(max_examples=60, deadline=None)
 @given(st.lists(st.tuples(st.sampled_from(["white", "yellow", "red1", "red2"]), SPOT), max_size=12))
 def test_balls_dragged_anywhere_never_overlap_and_never_leave_the_table(moves):
-    game = Game(presets.table_world("medium"))
-    game.perform(Action("arrange"))
+    session = Session(presets.table_world("medium"))
+    perform(session, Action("arrange"))
     for name, (x, y) in moves:
-        game.perform(Action("hold", name))
-        game.perform(Action("move", f"{x!r} {y!r}"))
-        assert_all_lie_free(game.world)
+        perform(session, Action("hold", name))
+        perform(session, Action("move", f"{x!r} {y!r}"))
+        assert_all_lie_free(session.world)
 
 
 def test_a_ball_is_laid_down_beside_a_smaller_one_where_they_touch():
@@ -83,15 +85,15 @@ def test_a_ball_dragged_onto_another_slides_around_it():
 
 
 def test_one_drag_is_one_step_to_undo():
-    game = Game(presets.table_world("medium"))
-    before = [ball.position for ball in game.world.balls]
-    game.perform(Action("arrange"))
-    game.perform(Action("hold", "red1"))
+    session = Session(presets.table_world("medium"))
+    before = [ball.position for ball in session.world.balls]
+    perform(session, Action("arrange"))
+    perform(session, Action("hold", "red1"))
     for k in range(20):
-        game.perform(Action("move", f"{0.02 * k} 0.1"))
-    game.perform(Action("arrange"))
-    game.perform(Action("undo"))
-    assert [ball.position for ball in game.world.balls] == before
+        perform(session, Action("move", f"{0.02 * k} 0.1"))
+    perform(session, Action("arrange"))
+    perform(session, Action("undo"))
+    assert [ball.position for ball in session.world.balls] == before
 
 
 # -- lines ---------------------------------------------------------------------------------------
@@ -100,39 +102,41 @@ def test_one_drag_is_one_step_to_undo():
 @settings(max_examples=50, deadline=None)
 @given(st.integers(0, 10**6), st.sampled_from(["thesis", "medium", "match"]))
 def test_a_line_brings_back_every_ball_to_the_last_bit(seed, table):
-    game = Game(presets.table_world(table), seed=seed, table=table)
-    game.perform(Action("place"))
-    before = of(game, shot=True)
-    again = Game(presets.table_world("medium"))
-    again.perform(Action("line", before.line()))
-    assert of(again, shot=True) == before
+    session = Session(presets.table_world(table), seed=seed, table=table)
+    perform(session, Action("place"))
+    before = laid(session, shot=True)
+    again = Session(presets.table_world("medium"))
+    perform(again, Action("line", before.line()))
+    assert laid(again, shot=True) == before
     assert again.table == table
 
 
 def test_a_line_with_a_shot_plays_the_same_shot():
     ends = []
     for line in (LINE, read(LINE).line()):
-        game = Game(presets.table_world("match"), table="match")
-        game.perform(Action("line", line))
-        assert game.aim.texts == ["3", "0.5", "0", "-1", "12.5"]
-        game.perform(Action("fire"))
-        game.perform(Action("skip"))
-        ends.append([ball.position for ball in game.world.balls])
+        session = Session(presets.table_world("match"), table="match")
+        perform(session, Action("line", line))
+        assert session.aim.texts == ["3", "0.5", "0", "-1", "12.5"]
+        perform(session, Action("fire"))
+        perform(session, Action("skip"))
+        ends.append([ball.position for ball in session.world.balls])
     assert ends[0] == ends[1]
 
 
 def test_a_line_without_a_shot_leaves_the_boxes_alone():
-    game = Game(presets.table_world("medium"))
-    game.perform(Action("line", of(game).line()))
-    assert game.aim.texts == list(START)
+    session = Session(presets.table_world("medium"))
+    perform(session, Action("line", laid(session, shot=False).line()))
+    assert session.aim.texts == list(START)
 
 
 @pytest.mark.parametrize("ready", list(shelf()), ids=lambda r: f"{r.group}-{r.key}")
 def test_every_set_up_of_the_shelf_is_a_good_line(ready):
     if ready.group == "scenes":
-        game = Game(presets.table_world("medium"))
-        game.perform(Action("scene", ready.key))
-        assert {ball.name for ball in game.world.balls} == {name for name, _ in ready.lineup.balls}
+        session = Session(presets.table_world("medium"))
+        perform(session, Action("scene", ready.key))
+        assert {ball.name for ball in session.world.balls} == {
+            name for name, _ in ready.lineup.balls
+        }
     else:
         assert read(ready.lineup.line()) == ready.lineup
         assert_all_lie_free(ready.lineup.world())
@@ -166,12 +170,12 @@ def test_a_broken_line_says_what_is_wrong_and_changes_nothing(line, reason, word
     with pytest.raises(LineError) as caught:
         read(line)
     assert (caught.value.reason, caught.value.word) == (reason, word)
-    game = Game(presets.table_world("medium"))
-    world, before = game.world, of(game)
+    session = Session(presets.table_world("medium"))
+    world, before = session.world, laid(session, shot=False)
     with pytest.raises(LineError):
-        game.perform(Action("line", line))
-    assert game.world is world
-    assert of(game) == before
+        perform(session, Action("line", line))
+    assert session.world is world
+    assert laid(session, shot=False) == before
 
 
 # -- files ---------------------------------------------------------------------------------------

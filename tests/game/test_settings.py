@@ -198,7 +198,7 @@ def test_runs_that_nobody_watches_neither_read_nor_write(tmp_path):
 def test_that_the_file_was_broken_is_said_once(path, monkeypatch):
     said = []
     path.write_text("broken")
-    monkeypatch.setattr(App, "run", lambda app: said.append(app.game.notice))
+    monkeypatch.setattr(App, "run", lambda app: said.append(app.session.notice))
     for _ in range(2):
         assert entry.main(["--settings", str(path), "--frames", "1"]) == 0
     assert said == [Notice("settings.broken"), None]

@@ -6,10 +6,11 @@ import pygame
 import pytest
 
 from game.input.bindings import DEFAULTS
+from game.input.captions import words
 from game.session.action import Action
 from game.settings.settings import CHOICES
 from game.table import presets
-from game.text import LANGUAGES, words
+from game.text import LANGUAGES
 from game.ui.pages import settings_view
 from game.ui.pages.settings_rows import CHOSEN, ROWS
 from tests.support.players import FRAME, FREE, an_app, click, pixels, press, write
@@ -55,7 +56,7 @@ def app():
     """A game whose settings are open."""
     app = an_app()
     press(app, "f3")
-    assert app.game.sheet
+    assert app.session.page
     return app
 
 
@@ -65,7 +66,7 @@ def row(name):
 
 def to(app, name):
     """Go to a row with the keys."""
-    press(app, *["down"] * ((row(name) - app.view.sheet.focus) % len(ROWS)))
+    press(app, *["down"] * ((row(name) - app.view.page.focus) % len(ROWS)))
 
 
 def spot(app, name, key=""):
@@ -79,14 +80,14 @@ def spot(app, name, key=""):
 def test_time_stands_still_while_settings_are_open():
     app = an_app()
     press(app, "return", "f3")
-    time = app.game.world.time
+    time = app.session.world.time
     for _ in range(10):
         app.frame(FRAME)
-    assert app.game.world.time == time
+    assert app.session.world.time == time
     press(app, "escape")
-    assert not app.game.sheet
+    assert not app.session.page
     app.frame(FRAME)
-    assert app.game.world.time > time
+    assert app.session.world.time > time
 
 
 OTHER = {
@@ -97,7 +98,7 @@ OTHER = {
 
 def what(app, name):
     """What has been chosen, where it counts and where it is kept."""
-    now = getattr(app.game, name, None) or getattr(app.preferences.settings, name)
+    now = getattr(app.session, name, None) or getattr(app.preferences.settings, name)
     assert now == getattr(app.preferences.settings, name)
     return now
 
@@ -116,7 +117,7 @@ def test_the_keys_change_every_choice_at_once_and_back_again(app, name):
 def test_the_mouse_changes_every_choice_at_once(app, name):
     click(app, spot(app, name, OTHER[name]))
     assert what(app, name) == OTHER[name]
-    assert app.game.sheet
+    assert app.session.page
 
 
 def test_switches_and_the_volume_by_keys(app):
@@ -139,7 +140,7 @@ def test_the_volume_by_dragging_ends_where_the_mouse_does(app):
     assert app.preferences.settings.volume == 10
     click(app, track.midright, to=(track.x - 99, track.y))
     assert app.preferences.settings.volume == 0
-    assert app.game.sheet
+    assert app.session.page
 
 
 def test_a_key_is_given_by_keys(app):
@@ -147,7 +148,7 @@ def test_a_key_is_given_by_keys(app):
     press(app, "return", FREE)
     assert app.preferences.settings.keys == {"retry": FREE}
     press(app, "return", "escape")
-    assert app.game.sheet
+    assert app.session.page
     press(app, "backspace")
     assert app.preferences.settings.keys == {}
 
@@ -170,17 +171,17 @@ def test_the_sheet_closes_by_its_cross_its_key_and_a_click_beside_it():
     )
     for close in ways:
         press(app, "f3")
-        assert app.game.sheet
+        assert app.session.page
         close()
-        assert not app.game.sheet
+        assert not app.session.page
 
 
 def test_nothing_that_is_typed_in_the_sheet_gets_into_the_boxes(app):
-    texts = app.game.aim.texts[:]
+    texts = app.session.aim.texts[:]
     write(app, "12")
     press(app, "1", "ctrl+return")
-    assert app.game.aim.texts == texts
-    assert not app.game.moving
+    assert app.session.aim.texts == texts
+    assert not app.session.moving
 
 
 def test_the_wheel_scrolls_the_keys_no_further_than_they_go(app, monkeypatch):
@@ -188,13 +189,13 @@ def test_the_wheel_scrolls_the_keys_no_further_than_they_go(app, monkeypatch):
     for turns, first in ((-3, 3), (-99, len(DEFAULTS) - 5), (99, 0)):
         pygame.event.post(pygame.event.Event(pygame.MOUSEWHEEL, x=0, y=turns))
         app.frame(FRAME)
-        assert app.view.sheet.first == first
+        assert app.view.page.first == first
     press(app, "tab", "up")
-    assert app.view.sheet.focus == len(CHOSEN) - 1
+    assert app.view.page.focus == len(CHOSEN) - 1
     for name in ("settings", "edit 0", "retry"):
         to(app, name)
         place = row(name) - len(CHOSEN)
-        assert app.view.sheet.first <= place < app.view.sheet.first + 5
+        assert app.view.page.first <= place < app.view.page.first + 5
 
 
 def test_the_sheet_drawn_bit_by_bit_is_the_sheet_drawn_whole(app):
@@ -213,7 +214,7 @@ def test_the_buttons_on_the_engine_card_open_settings_and_mute():
     right, top = app.view.sight.layout.engine.topright
     s = app.view.sight.layout.s
     click(app, (right - 18 * s, top + 17 * s))
-    assert app.game.sheet
+    assert app.session.page
     press(app, "escape")
     before = pixels(app)
     click(app, (right - 42 * s, top + 17 * s))

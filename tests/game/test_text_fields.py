@@ -5,11 +5,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from game.input.captions import words
 from game.input.repeat import FIRST, NEXT
-from game.input.text_field import TextField
 from game.render.parts import fields
 from game.session.ticks import TICKS
-from game.text import LANGUAGES, words
+from game.text import LANGUAGES
+from game.text.text_field import TextField
 from game.ui.pages import menu_view
 from game.window import clipboard
 from tests.game.test_composing import to_box, to_name, to_row, to_shelf
@@ -23,7 +24,7 @@ def box(app):
 
 def name(app):
     menu = to_name(app)
-    return lambda: menu.fixture.seats[0].name
+    return lambda: menu.terms.seats[0].name
 
 
 def handicap(app):
@@ -135,7 +136,7 @@ def test_digits_of_the_number_pad_are_digits(app, kind):
 
 @pytest.mark.parametrize("before", [(), ("right",)], ids=["play", "box"])
 def test_digits_of_the_number_pad_fill_a_box_before_text_input_is_on(app, before):
-    aim = app.game.aim
+    aim = app.session.aim
     press(app, *before, frames=False)
     for n in (2, 5):
         key = getattr(pygame, f"K_KP_{n}")
@@ -158,12 +159,12 @@ def test_a_click_chooses_a_box_and_the_next_one_a_place_in_it(app):
             if fields.caret_at(rect, sight.type, "1234", x, "m/s") == place
         )  # fmt: skip
         click(app, (x, rect.centery))
-        assert app.game.aim.edited.caret == place
+        assert app.session.aim.edited.caret == place
     press(app, "tab")
     click(app, rect.center)
-    assert app.game.aim.edited.selected == "1234"
+    assert app.session.aim.edited.selected == "1234"
     write(app, "5")
-    assert app.game.aim.texts[0] == "5"
+    assert app.session.aim.texts[0] == "5"
 
 
 def test_a_click_into_a_name_chooses_a_place_in_it(app):
@@ -173,19 +174,19 @@ def test_a_click_into_a_name_chooses_a_place_in_it(app):
     rect = menu_view.row_rect(menu.rows, place, app.view.sight.layout)
     click(app, menu_view.text_window(rect, app.view.sight).center)
     write(app, "x")
-    assert menu.fixture.seats[0].name == "abxcd"
+    assert menu.terms.seats[0].name == "abxcd"
 
 
 def test_arrows_count_a_handicap_until_something_is_typed(app):
     menu = to_row(app, "target")
     press(app, "right", "right", "left")
-    assert menu.fixture.seats[0].target == 11
+    assert menu.terms.seats[0].target == 11
     press(app, "pageup")
-    assert menu.fixture.seats[0].target == 21
+    assert menu.terms.seats[0].target == 21
     press(app, "lshift", "right", "left", "3", "5", "left", "left", "1")
-    assert menu.fixture.seats[0].target == 135
+    assert menu.terms.seats[0].target == 135
     press(app, "down", "up", "right")
-    assert menu.fixture.seats[0].target == 136
+    assert menu.terms.seats[0].target == 136
 
 
 @pytest.mark.parametrize("text", ["x", "2.5", "-3", "1 2"])
@@ -193,11 +194,11 @@ def test_what_is_no_handicap_is_refused_in_words(app, text, monkeypatch):
     held, menu = clipped(monkeypatch), to_row(app, "target")
     held[0] = text
     press(app, "ctrl+v")
-    assert menu.fixture.seats[0].target == 10
+    assert menu.terms.seats[0].target == 10
     assert menu.refused
     assert_same_as_anew(app)
     press(app, "7")
-    assert (menu.fixture.seats[0].target, menu.refused) == (7, "")
+    assert (menu.terms.seats[0].target, menu.refused) == (7, "")
 
 
 @pytest.mark.parametrize("text", ["２５", "٢٥", " 25 "])
@@ -205,13 +206,13 @@ def test_digits_of_any_script_are_a_handicap(app, text, monkeypatch):
     held, menu = clipped(monkeypatch), to_row(app, "target")
     held[0] = text
     press(app, "ctrl+v")
-    assert menu.fixture.seats[0].target == 25
+    assert menu.terms.seats[0].target == 25
 
 
 def test_a_handicap_that_begins_with_nought_is_typed_on(app):
     menu = to_row(app, "target")
     press(app, "0", "5")
-    assert menu.fixture.seats[0].target == 5
+    assert menu.terms.seats[0].target == 5
 
 
 def test_a_name_too_long_says_so(app):
@@ -219,7 +220,7 @@ def test_a_name_too_long_says_so(app):
     write(app, "x" * 16)
     assert menu.refused == ""
     write(app, "y")
-    assert menu.fixture.seats[0].name == "x" * 16
+    assert menu.terms.seats[0].name == "x" * 16
     assert menu.refused == "full"
 
 
@@ -230,7 +231,7 @@ def test_a_line_is_still_pasted_as_a_set_up_and_copied_where_nothing_is_selected
     assert held[0] == page.text
     assert held[0].startswith("danggu1 ")
     press(app, "ctrl+v")
-    assert app.game.sheet == ""
+    assert app.session.page == ""
 
 
 def test_held_keys_of_a_page_without_a_field_do_nothing_again(monkeypatch):
@@ -239,9 +240,9 @@ def test_held_keys_of_a_page_without_a_field_do_nothing_again(monkeypatch):
     monkeypatch.setattr(pygame.key, "get_pressed", lambda: {pygame.K_RIGHT: True})
     press(app, "right", frames=False)
     app.frame(0)
-    table = app.game.table
+    table = app.session.table
     app.frame(TICKS)
-    assert app.game.table == table
+    assert app.session.table == table
 
 
 def test_a_held_key_does_nothing_behind_a_page(monkeypatch):
@@ -250,10 +251,10 @@ def test_a_held_key_does_nothing_behind_a_page(monkeypatch):
     press(app, "q", frames=False)
     app.frame(0)
     click(app, app.view.sight.layout.engine.move(-48, -8).midright)
-    assert app.game.sheet == "menu"
-    angle = app.game.aim.texts[4]
+    assert app.session.page == "menu"
+    angle = app.session.aim.texts[4]
     app.frame(TICKS)
-    assert app.game.aim.texts[4] == angle
+    assert app.session.aim.texts[4] == angle
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -127,7 +127,7 @@ def test_many_games_that_save_at_the_same_time_lose_nothing(path):
         "    assert library.put(f'{sys.argv[2]} {k}', read('danggu1 medium white=0.1,0.0'))\n"
     )
     games = [subprocess.Popen([sys.executable, "-c", code, str(path), name]) for name in "abc"]
-    assert [game.wait(timeout=60) for game in games] == [0, 0, 0]
+    assert [session.wait(timeout=60) for session in games] == [0, 0, 0]
     assert set(Library(path).items) == {f"{name} {k}" for name in "abc" for k in range(15)}
     assert [p.name for p in path.parent.iterdir()] == ["x.json"]
 
@@ -200,6 +200,6 @@ def test_set_ups_of_a_later_version_are_set_aside_before_they_are_written_as_thi
 def test_the_shelf_shows_set_ups_whatever_their_names_are(path):
     names = [r"a\u0000b", r"\ud800", r"c\u2028d", "x" * 3000]
     app = an_app()
-    app.view.sheets["shelf"].library = written(path, names)
+    app.view.pages["shelf"].library = written(path, names)
     press(app, "f4", "pageup")
-    assert [len(card.name) for card in app.view.sheets["shelf"].cards] == [3, 1, 3, 3000]
+    assert [len(card.name) for card in app.view.pages["shelf"].cards] == [3, 1, 3, 3000]

@@ -11,7 +11,8 @@ from danggu.rules.carom import Carom
 from danggu.rules.stroke import LEFT, stroke
 from danggu.rules.verdict import Turn, Verdict
 from game.session.action import Action
-from game.session.session import Game
+from game.session.commands import perform
+from game.session.session import Session
 from game.session.ticks import TICKS
 from physics import Ball, EventDriven, Shot, TimeStepping, World, laws, simulate, tables
 from tests.support.referee import watched
@@ -48,17 +49,17 @@ def test_a_stroke_near_a_cushion_is_worth_what_a_referee_gives(case):
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"])
 def test_the_panel_counts_as_the_rules_do(case):
-    game = Game(laid(**case["balls"]), table="match")
+    session = Session(laid(**case["balls"]), table="match")
     speed, angle, follow, masse, side = case["shot"]
-    game.perform(Action("set", f"speed {speed} follow {follow} masse {masse} side {side}"))
-    game.perform(Action("set", f"angle {angle}"))
-    game.perform(Action("shoot"))
-    game.perform(Action("skip"))
-    done = stroke(game.world.log.contacts(), "white")
-    assert game.counts == (len(done.hits()), done.cushions())
+    perform(session, Action("set", f"speed {speed} follow {follow} masse {masse} side {side}"))
+    perform(session, Action("set", f"angle {angle}"))
+    perform(session, Action("shoot"))
+    perform(session, Action("skip"))
+    done = stroke(session.world.log.contacts(), "white")
+    assert session.counts == (len(done.hits()), done.cushions())
     second = max(done.hits().values(), default=0.0)
-    game.perform(Action("scrub", ceil(second * TICKS)))
-    assert game.counts == (2, judged(game.world).facts.cushions)
+    perform(session, Action("scrub", ceil(second * TICKS)))
+    assert session.counts == (2, judged(session.world).facts.cushions)
 
 
 # -- a cushion that is not left

@@ -19,14 +19,15 @@ import pygame
 from danggu.players import opponent
 from game.aim.entry import Aim
 from game.app import App
-from game.input.bindings import NAMES
+from game.input.key_tables import NAMES
 from game.replay.script import parse
 from game.session.action import Action
-from game.session.equipment import LANGUAGES
-from game.session.terms import GAMES, SEATS, Fixture, Seat
+from game.session.terms import GAMES, SEATS, Contestant, Terms
 from game.session.ticks import TICKS
 from game.settings.settings import CHOICES
-from game.table import lineup, presets
+from game.table import presets
+from game.text import LANGUAGES
+from game.ui.pages.shelf import laid
 from physics import EventDriven, TimeStepping
 from physics.engines.stepping import SCHEMES
 from tests.support.players import FRAME, an_app, assert_same_as_anew
@@ -84,8 +85,8 @@ class RandomPlayer:
         self.app, self.rng, self.far = app, random.Random(str(seed)), far
         self.kept: list[tuple[object, object]] = []
         """Every moment of the history, and how the balls lay when it was noted."""
-        self._perform = app.game.perform
-        app.game.perform = self._watched
+        self._perform = app._act
+        app._act = self._watched
 
     # -- what they do
 
@@ -120,16 +121,16 @@ class RandomPlayer:
 
     def _command(self) -> None:
         """What keys and mouse would take long to come to; a page over the table takes them all."""
-        if self.app.game.held:
+        if self.app.session.held:
             self._send(pygame.KEYDOWN, key=pygame.K_ESCAPE, mod=0, unicode="")
         else:
             self.app.perform(self._any_command())
 
     def _any_command(self) -> Action:
-        rng, game = self.rng, self.app.game
+        rng, session = self.rng, self.app.session
         number = rng.choice((0.0, 0.05, 1.0, -3.5, 8.0, 359.9, -720.0))
         pair = f"{rng.uniform(-2, 2):.3f} {rng.uniform(-1, 1):.3f}"
-        names = [ball.name for ball in game.world.balls]
+        names = [ball.name for ball in session.world.balls]
         with_value = {
             "set": rng.choice((*SHOTS, f"angle {rng.uniform(-400, 400):.2f}")),
             "turn": str(number), "push": str(number), "power": str(abs(number)), "tip": pair,
@@ -145,19 +146,19 @@ class RandomPlayer:
             return Action(rng.choice(PLAYED))
         if rng.random() < 0.02:
             return self._elsewhere()
-        if rng.random() < 0.05 and all(ball.phase != "off" for ball in game.world.balls):
-            return Action("line", lineup.of(game, shot=rng.random() < 0.5).line())
+        if rng.random() < 0.05 and all(ball.phase != "off" for ball in session.world.balls):
+            return Action("line", laid(session, shot=rng.random() < 0.5).line())
         name = rng.choice([*with_value, "set"])
         return Action(name, with_value[name])
 
     def _elsewhere(self) -> Action:
         rng = self.rng
-        seats = tuple(Seat("", rng.choice(SEATS), rng.randrange(1, 4)) for _ in range(2))
-        fixture = Fixture(rng.choice(GAMES), seats)
+        seats = tuple(Contestant("", rng.choice(SEATS), rng.randrange(1, 4)) for _ in range(2))
+        terms = Terms(rng.choice(GAMES), seats)
         return rng.choice((
             Action("table", rng.choice(tuple(presets.TABLES))),
             Action("scene", rng.choice(tuple(presets.SCENES))),
-            Action("match", fixture.line()),
+            Action("match", terms.line()),
         ))  # fmt: skip
 
     def _write(self) -> None:
@@ -189,16 +190,16 @@ class RandomPlayer:
 
     def check(self) -> None:
         """Nothing has become infinite, and no ball is far away."""
-        game = self.app.game
-        for ball in game.world.balls:
+        session = self.app.session
+        for ball in session.world.balls:
             numbers = (*ball.position, *ball.velocity, *ball.spin, ball.height, ball.climb)
             assert all(map(isfinite, numbers)), ball
             assert max(map(abs, ball.position)) < self.far, ball
-        game.over = False
+        session.over = False
 
     def _watched(self, action: Action) -> None:
         """Let the game do an action; what can be undone is noted, and what is undone compared."""
-        world, history = self.app.game.world, self.app.game.history
+        world, history = self.app.session.world, self.app.session.history
         before, past = world.layout(), list(history.past)
         self._perform(action)
         count = len(history.past)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
-from game.session.values import VALUES
+from game.session.commands import RECORDED
 
 LINE = "danggu1 medium white=0,0 red1=0.1,0.1 shot=5,0,0,0,45"
 FOUR = '{"game":"four-ball"}'
@@ -32,7 +32,7 @@ ODD: list[Any] = [
     {"a": 1}, "medium", "menu", "rigid", "ko", "rack15", FOUR, THREE, LINE, "a" * 5000, "9" * 5000,
     '{"game":"four-ball","seats":[{"name":"\\u0000"}]}', 1 << 32, 1 << 20,
 ]  # fmt: skip
-NAMES = [*VALUES, "quit", "mute", "volume", "colours", "bind", "dance", "", None, 1]
+NAMES = [*RECORDED, "quit", "mute", "volume", "colours", "bind", "dance", "", None, 1]
 BEGUN = (
     "seed", "scene", "table", "game", "players", "level", "handicap", "finish", "setup", "engine",
     "law", "cloth", "lang", "x",
@@ -66,7 +66,7 @@ def played(rng: Random) -> list[Any]:
     tick = 0
     for _ in range(rng.randrange(1, 25)):
         tick += rng.choice((0, 1, 100, 5000, 65536, 300000))
-        name = rng.choice([*VALUES])
+        name = rng.choice([*RECORDED])
         value = rng.choice(USUAL.get(name, (None,)))
         lines.append({"tick": tick, "do": [name] if value is None else [name, value]})
     return [*lines, {"tick": tick + rng.choice((0, 1000, 10**6)), "end": "0"}]

@@ -11,13 +11,13 @@ from tests.support.players import click
 
 def told(app: App) -> tuple[str, str, str]:
     """What the result card says."""
-    contest = app.game.contest
+    contest = app.session.contest
     return score_plates.result(contest, contest.verdict, app.view.sight)[:3]
 
 
 def scores(app: App) -> list[int]:
     """The points of each player."""
-    return [sheet.score for sheet in app.game.contest.match.sheets]
+    return [sheet.score for sheet in app.session.contest.match.sheets]
 
 
 def opening_numbers() -> list[str]:
@@ -28,7 +28,7 @@ def opening_numbers() -> list[str]:
 
 def choose(app: App, name: str, step: int = 1, times: int = 1) -> None:
     """Click the arrow of a row in the open menu."""
-    sheet, layout = app.view.sheet, app.view.sight.layout
+    sheet, layout = app.view.page, app.view.sight.layout
     place = next(i for i, row in enumerate(sheet.rows) if row.name == name)
     arrow = menu_view.arrows(menu_view.row_rect(sheet.rows, place, layout), layout)[step > 0]
     for _ in range(times):

@@ -13,7 +13,7 @@ from game.__main__ import new_game
 from game.app import App
 from game.input.bindings import DEFAULTS
 from game.options import Options
-from game.session.session import Game
+from game.session.session import Session
 from game.session.ticks import TICKS
 
 FRAME = TICKS // 60
@@ -45,7 +45,7 @@ def an_app(size=(960, 540), **options) -> App:
     """An app whose frames the test asks for."""
     chosen = replace(Options(), size=size, frames=1, **options)
     app = App(new_game(chosen), chosen)
-    app.view.sheets["shelf"].library.path = Path(FOLDER.name) / f"{id(app)}.json"
+    app.view.pages["shelf"].library.path = Path(FOLDER.name) / f"{id(app)}.json"
     app.frame(0)
     return app
 
@@ -99,15 +99,15 @@ def in_window(app: App, at: tuple[float, float]) -> tuple[int, int]:
 def run_to_rest(app: App) -> None:
     """Let time pass until nothing moves, in frames too long to be watched."""
     for _ in range(300):
-        if not app.game.moving:
+        if not app.session.moving:
             return
         app.frame(10 * FRAME)
     raise AssertionError("the balls never came to rest")
 
 
-def places(game: Game) -> list[tuple[float, float]]:
+def places(session: Session) -> list[tuple[float, float]]:
     """Where the balls are."""
-    return [ball.position for ball in game.world.balls]
+    return [ball.position for ball in session.world.balls]
 
 
 def pixels(app: App) -> bytes:

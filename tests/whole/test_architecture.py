@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import tomllib
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,11 @@ ROOT = Path(__file__).parents[2]
 PACKAGES = ("physics", "danggu", "game")
 SOURCES = sorted(p for part in (*PACKAGES, "assets") for p in (ROOT / part).rglob("*.py"))
 # from what knows least to what may know all
-LAYERS = ("assets", "physics.kernel", "physics", "danggu.rules", "danggu.players", "danggu", "game")
+LAYERS = (
+    "assets", "physics.kernel", "physics", "danggu.rules", "danggu.players", "danggu", "game",
+    "game.ui.sight", "game.ui.table", "game.ui.panels", "game.ui.pages", "game.ui.view",
+    "game.ui.layers", "game.ui.watching", "game.app", "game.start", "game.__main__",
+)  # fmt: skip
 # function: why it may be longer than 40 lines
 LONG: dict[str, str] = {}
 
@@ -105,6 +110,60 @@ def test_functions_and_files_stay_small_enough_to_read(path):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             lines = (node.end_lineno or 0) - node.lineno + 1
             assert lines <= 40 or node.name in LONG, f"{node.name} has {lines} lines"
+
+
+@pytest.mark.parametrize(
+    "path", [p for p in SOURCES if p.is_relative_to(ROOT / "game")], ids=dotted
+)
+def test_fields_of_a_value_are_described_in_the_docstring_of_their_class(path):
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ClassDef):
+            for field, after in pairwise(node.body):
+                beneath = isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant)
+                assert not (isinstance(field, ast.AnnAssign) and beneath), node.name
+
+
+WRITERS = {
+    f"game.session.{name}" for name in ("session", "commands", "play_commands", "table_commands")
+}
+BELOW = ("game.session", "game.aim", "game.table", "game.text")
+"""What a session is made of, and what these use."""
+
+
+def test_the_game_itself_knows_no_room_of_the_window():
+    of_the_window = (
+        "input",
+        "window",
+        "sound",
+        "render",
+        "ui",
+        "replay",
+        "computer",
+        "app",
+        "start",
+    )
+    for path in SOURCES:
+        if dotted(path).startswith(BELOW):
+            assert not {name.split(".")[1] for name in needed(path) if name.startswith("game.")} & {
+                *of_the_window
+            }, path
+
+
+def test_only_the_session_and_the_commands_write_to_it():
+    for path in SOURCES:
+        if dotted(path) in WRITERS:
+            continue
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store):
+                holders = ast.unparse(node.value).split(".")
+                assert "session" not in holders, f"{path}, line {node.lineno}"
+
+
+def test_the_parts_of_a_session_do_not_know_it():
+    parts = {m for m in MODULES if m.startswith(BELOW)} - WRITERS
+    for path in SOURCES:
+        if dotted(path) in parts:
+            assert not needed(path) & WRITERS, path
 
 
 def test_whatever_is_imported_is_required_by_an_extra_at_least():

@@ -11,12 +11,13 @@ from game import options
 from game.aim.entry import BOXES
 from game.aim.preview import preview
 from game.app import App
+from game.input.captions import words
 from game.render.parts import gauges
-from game.render.table import light, turning
+from game.render.table import light, rotation
 from game.session.action import Action
-from game.session.session import Game
+from game.session.commands import perform
+from game.session.session import Session
 from game.table.presets import table_world
-from game.text import words
 from game.ui.panels import aim_panel
 from physics import Ball, CueStroke, Shot, TimeStepping, World, laws, scenes, simulate, tables
 from physics.__main__ import main
@@ -160,7 +161,7 @@ def test_the_thesis_s_three_spins_are_about_the_left_the_course_and_the_vertical
 def test_a_scene_s_motion_is_read_back_as_the_five_numbers_that_make_it():
     world = table(white=(0.0, 0.0))
     world.strike("white", Shot(1.0, 30.0, follow=0.1, masse=0.2, side=0.3))
-    texts = Game(world, table="match").aim.texts
+    texts = Session(world, table="match").aim.texts
     assert [float(text) for text in texts] == pytest.approx([1.0, 0.1, 0.2, 0.3, 30.0], abs=1e-3)
 
 
@@ -174,11 +175,11 @@ def test_thickness_is_positive_where_the_cue_ball_passes_on_the_right(sign):
     seen = preview(world, "white", Shot(2.0, AWAY))
     assert sign * seen.contact.overlap > 0.0
     assert sign * seen.contact.leaves[1][0] < 0.0
-    game = Game(world, table="match")
-    game.perform(Action("set", "speed 2 follow 0 masse 0 side 0 angle 90"))
-    before = game.aim.angle
-    game.perform(Action("thick", round(7 * sign)))
-    assert sign * (game.aim.angle - before) < 0.0  # farther to its right is clockwise
+    session = Session(world, table="match")
+    perform(session, Action("set", "speed 2 follow 0 masse 0 side 0 angle 90"))
+    before = session.aim.angle
+    perform(session, Action("thick", round(7 * sign)))
+    assert sign * (session.aim.angle - before) < 0.0  # farther to its right is clockwise
 
 
 # -- the window
@@ -186,19 +187,22 @@ def test_thickness_is_positive_where_the_cue_ball_passes_on_the_right(sign):
 
 @pytest.fixture(scope="module")
 def app():
-    return App(Game(table_world("medium")), options.read(["--frames", "1"]))
+    return App(Session(table_world("medium")), options.read(["--frames", "1"]))
 
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_right_of_the_tip_picker_is_right_english_and_above_is_follow(app, sign):
-    sight, game = app.view.sight, app.game
+    sight, session = app.view.sight, app.session
     (x, y), radius = gauges.tip_circle(sight.layout.tip, sight.layout.s)
     app.perform(Action("centre"))
     sight.pointer.pressing, sight.pointer.grip = True, ""
     for at, box in (((x + 0.3 * sign * radius, y), 3), ((x, y - 0.3 * sign * radius), 1)):
         app.perform(aim_panel.tip_touch(at, sight.layout.tip, sight))
-        assert sign * float(game.aim.texts[box]) > 0.1
-        assert [float(text) for i, text in enumerate(game.aim.texts[1:4], 1) if i != box] == [0, 0]
+        assert sign * float(session.aim.texts[box]) > 0.1
+        assert [float(text) for i, text in enumerate(session.aim.texts[1:4], 1) if i != box] == [
+            0,
+            0,
+        ]
     sight.pointer.pressing = False
 
 
@@ -209,7 +213,7 @@ def test_arrows_with_alt_move_the_tip_as_they_point(app):
         event = pygame.event.Event(pygame.KEYDOWN, key=code, mod=pygame.KMOD_LALT, unicode="")
         pygame.event.post(event)
         app.frame(1)
-        assert sign * float(app.game.aim.texts[box]) > 0.0
+        assert sign * float(app.session.aim.texts[box]) > 0.0
 
 
 def test_a_raised_cue_with_the_tip_on_the_right_is_a_positive_masse(app):
@@ -217,22 +221,22 @@ def test_a_raised_cue_with_the_tip_on_the_right_is_a_positive_masse(app):
         app.perform(Action("centre"))
         app.perform(Action("tip", f"{0.2 * sign} 0"))
         app.perform(Action("elevate", "45"))
-        assert sign * float(app.game.aim.texts[2]) > 0.1
+        assert sign * float(app.session.aim.texts[2]) > 0.1
 
 
 def test_the_aim_turns_left_on_the_screen_with_the_key_that_says_so(app):
     assert words("en")["key.turn 1"].endswith("left")
-    layout, game = app.view.sight.layout, app.game
+    layout, session = app.view.sight.layout, app.session
     app.perform(Action("set", "angle 90"))
     app.perform(Action("turn", "1"))
-    ahead = direction(game.aim.angle)
+    ahead = direction(session.aim.angle)
     x, y = (a - b for a, b in zip(layout.to_screen(ahead.real, ahead.imag),
                                   layout.to_screen(0.0, 0.0), strict=True))  # fmt: skip
     assert x < 0 > y  # up the screen, and to the left
 
 
 def test_a_ball_with_right_english_turns_anticlockwise_on_the_screen():
-    turn = turning.matrix(turning.turned((1.0, 0.0, 0.0, 0.0), (0.0, 0.0, 1.0), 0.5))
+    turn = rotation.matrix(rotation.rotated((1.0, 0.0, 0.0, 0.0), (0.0, 0.0, 1.0), 0.5))
     x, y = (turn @ np.array((1.0, 0.0, 0.0), np.float32))[:2]
     assert degrees(phase(complex(x, y))) == pytest.approx(degrees(0.5), rel=1e-5)
     normal, _ = light.normals(21, 10.0, 10.5)
@@ -242,7 +246,7 @@ def test_a_ball_with_right_english_turns_anticlockwise_on_the_screen():
 
 def test_a_rolling_ball_s_top_goes_the_way_it_rolls():
     world = played(Shot(1.0, 30.0, follow=1.0), 1e-3)
-    turn = turning.matrix(turning.turned((1.0, 0.0, 0.0, 0.0), world.ball("white").spin, 1e-3))
+    turn = rotation.matrix(rotation.rotated((1.0, 0.0, 0.0, 0.0), world.ball("white").spin, 1e-3))
     x, y, _ = turn @ np.array((0.0, 0.0, 1.0), np.float32)
     assert degrees(phase(complex(x, y))) == pytest.approx(30.0, abs=0.1)
     assert hypot(x, y) == pytest.approx(1e-3 / R, rel=0.01)
@@ -275,7 +279,7 @@ def test_the_box_of_the_side_says_which_way_it_goes(language, said, monkeypatch)
         return draw(self, surface, string, *how)
 
     monkeypatch.setattr(Type, "draw", noted)
-    app = App(Game(table_world("medium")), options.read(["--frames", "1"]))
+    app = App(Session(table_world("medium")), options.read(["--frames", "1"]))
     app.perform(Action("language", language))
     app.frame(1)
     assert any(string.endswith(said) for string in written)

@@ -171,9 +171,12 @@ def readouts(
 
 @dataclass(frozen=True)
 class LogRow:
-    """One event: when, whose (colour and, in the colour-blind set, letter), what, and what again.
+    """An event as a row of the log.
 
-    `second` is the same in another language, or any note, at the right; it may be empty.
+    time    when it was, as it is written
+    balls   whose it is: colours and, in the colour-blind set, letters
+    first   what happened
+    second  the same in another language, or any note, at the right; may be empty
     """
 
     time: str

@@ -9,7 +9,7 @@ from game.render.font import Type
 from game.render.theme import Colour, mix
 
 from . import shapes, text_line
-from .text_line import Line
+from .text_line import TextLine
 
 STATES = ("idle", "hover", "focused", "invalid", "disabled")
 UNIT_COLUMN = 28
@@ -26,7 +26,7 @@ def field(
     caret: int | None = None,
     selected: bool = False,
     flash: bool = False,
-    line: Line | None = None,
+    line: TextLine | None = None,
 ) -> pygame.Rect:
     """Draw an input box and return its rectangle with the focus ring's room.
 
@@ -45,7 +45,7 @@ def field(
     right = rect.right - round(12 * s)
     type_.draw(surface, unit, (right, baseline), 13, theme.TEXT_SOFT, "right")
     ink = {"invalid": theme.ERROR, "disabled": theme.TEXT_SOFT}.get(state, theme.TEXT)
-    line = line or Line(value, caret, (0, len(value) * selected))
+    line = line or TextLine(value, caret, (0, len(value) * selected))
     text_line.draw(surface, _window(rect, type_, unit), type_, line, 20, baseline, ink, "right")
     return room
 
@@ -83,7 +83,7 @@ def caret_at(
 
     `caret` is where it stands now, None without one: it decides how far a long value is scrolled.
     """
-    line = Line(value, caret)
+    line = TextLine(value, caret)
     return text_line.place_at(_window(rect, type_, unit), type_, line, 20, x, "right")
 
 
@@ -150,8 +150,3 @@ def hint(
     middle = rect.centery + type_.cap(13) / 2
     type_.draw(surface, shown, (left, middle), 13, sign or theme.TEXT_SOFT)
     return rect
-
-
-def hint_room(rect: pygame.Rect, s: float) -> int:
-    """Return the width an error may have, px: a hint has the room of its sign more."""
-    return rect.w - round(36 * s)

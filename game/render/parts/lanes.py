@@ -23,14 +23,19 @@ PREVIEW = 0.62
 
 @dataclass(frozen=True)
 class Lane:
-    """One ball's life in a shot: times are seconds."""
+    """One ball's life in a shot; times are seconds.
+
+    colour    of the ball
+    legs      (from, to, mean speed in m/s), drawn one after the other
+    cushions  times at which it meets one
+    joins     (time, other lane) of each collision; one of the two lanes is enough
+    rests     times at which it comes to rest
+    """
 
     colour: Colour
     legs: tuple[tuple[float, float, float], ...] = ()
-    """(from, to, mean speed in m/s), drawn one after the other."""
     cushions: tuple[float, ...] = ()
     joins: tuple[tuple[float, int], ...] = ()
-    """(time, other lane) of each collision; one of the two lanes is enough."""
     rests: tuple[float, ...] = field(default=())
 
 

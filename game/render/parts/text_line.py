@@ -17,10 +17,13 @@ TALL = 1.1
 """Height of caret and selection over the size of the text."""
 
 
-class Line(NamedTuple):
-    """A text, the places of the caret (None: not edited) and of the selection.
+class TextLine(NamedTuple):
+    """A text in a box, edited or not.
 
-    `composing` is what an input method has not written yet: it stands in the selection's place.
+    text       what is written
+    caret      its place, None if it is not edited
+    selection  where the selected part begins and ends
+    composing  what an input method has not written yet: it stands in the selection's place
     """
 
     text: str
@@ -29,21 +32,21 @@ class Line(NamedTuple):
     composing: str = ""
 
     @property
-    def whole(self) -> Line:
+    def whole(self) -> TextLine:
         """The line with what is being composed in it, and that as its selection."""
         if self.caret is None or not self.composing:
             return self
         low, high = self.selection if self.selection[0] < self.selection[1] else (self.caret,) * 2
         end = low + len(self.composing)
         text = self.text[:low] + self.composing + self.text[high:]
-        return Line(text, end, (low, end), self.composing)
+        return TextLine(text, end, (low, end), self.composing)
 
 
 def draw(
     surface: pygame.Surface,
     window: pygame.Rect,
     type_: Type,
-    line: Line,
+    line: TextLine,
     size: float,
     baseline: float,
     ink: Colour,
@@ -73,7 +76,7 @@ def draw(
 
 
 def place_at(
-    window: pygame.Rect, type_: Type, line: Line, size: float, x: float, align: str = "left"
+    window: pygame.Rect, type_: Type, line: TextLine, size: float, x: float, align: str = "left"
 ) -> int:
     """Return the place in a line, as it is drawn, that is nearest to the screen's `x`."""
     left = _left(window, type_, line, size, align)
@@ -81,7 +84,7 @@ def place_at(
     return gaps.index(min(gaps))
 
 
-def _left(window: pygame.Rect, type_: Type, line: Line, size: float, align: str) -> int:
+def _left(window: pygame.Rect, type_: Type, line: TextLine, size: float, align: str) -> int:
     """Return where a line begins: as aligned, but with its caret, or else its end, in view."""
     room = window.w - type_.width(line.text, size)
     left = window.x + {"left": 0, "centre": room // 2, "right": room}[align]

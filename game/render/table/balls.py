@@ -16,7 +16,7 @@ from game.render.layout import Layout
 from game.render.theme import CLOTHS, BallLook, Colour
 
 from . import light
-from .turning import RACKED, Quaternion, matrix, turned, unit
+from .rotation import RACKED, Quaternion, matrix, rotated, unit
 
 SHADES = 2048
 """Steps from the middle of a mark's axis to its side: enough for a smooth edge at 4K."""
@@ -119,29 +119,29 @@ class BallSprites:
         self.px = radius * layout.scale
         self._painter = _Painter(self.px, CLOTHS[cloth])
         self._shades = [_shades(look, 2 * self.px) for look in self.looks]
-        self._turns = [_racked(i) for i in range(len(self.looks))]
-        self._matrices = [matrix(q) for q in self._turns]
+        self._orientations = [_racked(i) for i in range(len(self.looks))]
+        self._matrices = [matrix(q) for q in self._orientations]
         self._sprites: list[tuple[tuple[object, ...], pygame.Surface] | None]
         self._sprites = [None] * len(self.looks)
         self._contact = _soft_disc(self.px, 0.80, 1.16, 0.55)
         self._soft = _soft_disc(self.px, 0.55, 1.75, 0.40)
 
-    def turn(self, index: int, spin: tuple[float, float, float], dt: float) -> None:
+    def rotate(self, index: int, spin: tuple[float, float, float], dt: float) -> None:
         """Turn a ball with `spin` (wx, wy, wz in rad/s, z to the viewer) for `dt` seconds."""
-        self.orient(index, turned(self._turns[index], spin, dt))
+        self.orient(index, rotated(self._orientations[index], spin, dt))
 
     def advance(self, index: int, rotation: tuple[float, float, float]) -> None:
         """Turn a ball by a rotation vector in radians."""
-        self.turn(index, rotation, 1.0)
+        self.rotate(index, rotation, 1.0)
 
     def orientation(self, index: int) -> Quaternion:
         """Return how a ball has turned since it was made of glass and light, scalar part first."""
-        return self._turns[index]
+        return self._orientations[index]
 
     def orient(self, index: int, turn: Quaternion) -> None:
         """Set how a ball has turned, as `orientation` gave it (for scrubbing and undo)."""
-        if turn != self._turns[index]:
-            self._turns[index] = turn
+        if turn != self._orientations[index]:
+            self._orientations[index] = turn
             self._matrices[index] = matrix(turn)
 
     def rack(self) -> None:
@@ -157,7 +157,7 @@ class BallSprites:
         x, y = self.layout.to_screen(*at)
         left, top = (round(2 * p) - self._painter.side // 2 for p in (x, y))
         half = (left % 2, top % 2)
-        key = (self._turns[index], half, self._cell(at))
+        key = (self._orientations[index], half, self._cell(at))
         kept = self._sprites[index]
         if kept is None or kept[0] != key:
             look = self.looks[index]
@@ -212,4 +212,4 @@ class BallSprites:
 
 def _racked(index: int) -> Quaternion:
     """Return the first orientation of a ball: seen from above, each is turned another way."""
-    return turned(unit(RACKED), (0.0, 0.0, 1.0), 0.5 - 0.9 * (index % 3))
+    return rotated(unit(RACKED), (0.0, 0.0, 1.0), 0.5 - 0.9 * (index % 3))

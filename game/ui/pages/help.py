@@ -6,104 +6,21 @@ from collections.abc import Mapping
 
 import pygame
 
+from game.aim.entry import BOXES
+from game.input.captions import words
 from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts import shapes
 from game.render.theme import ACCENT, LINE_TRACK, PANEL, PANEL_RAISED, TEXT, TEXT_SOFT
-from game.text import words
+from game.session import commands
+from game.session.command import HelpRow
 from game.text.keycap import cap_name
 
 ROW = 23
 KEY_COLUMN = 126
 PAD = 26
-Rows = tuple[tuple[str, str], ...]
-"""Keys and what they do: a key is written as it is, by its name, or "@" and the action it has.
-
-What is held with it is written before."""
-Section = tuple[str, Rows]
-COLUMNS: tuple[tuple[Section, ...], ...] = (
-    (
-        (
-            "help.play",
-            (
-                ("@edit 0", "help.left"),
-                ("@clear", "help.right"),
-                ("name.digits", "help.digit"),
-                ("name.enter", "help.return"),
-                ("Ctrl+Enter", "help.ctrl"),
-                ("@place", "help.down"),
-                ("@stop", "help.space"),
-                ("@retry", "help.retry"),
-                ("@engine", "help.engine"),
-                ("@law", "help.law"),
-                ("@arrange", "key.arrange"),
-            ),
-        ),
-        (
-            "help.box",
-            (
-                ("name.enter", "help.next"),
-                ("name.back", "help.back"),
-                ("← → Home End", "help.caret"),
-                ("Ctrl+A C X V", "help.paste"),
-                ("Tab, Shift", "help.tab"),
-                ("Esc", "help.esc"),
-            ),
-        ),
-    ),
-    (
-        (
-            "help.aim",
-            (
-                ("@turn 1 @turn -1", "help.turn"),
-                ("Shift Ctrl+← →", "help.finer"),
-                ("@push 0.5 @push -0.5", "help.push"),
-                ("Alt+← → ↑ ↓", "help.tip"),
-                ("Alt+PgUp PgDn", "help.tilt"),
-                ("@centre", "help.centre"),
-                ("@thicker 1", "help.thick"),
-                ("@aids", "help.aids"),
-                ("@fan", "help.fan"),
-            ),
-        ),
-        (
-            "help.numbers",
-            (
-                ("box.speed", "help.speed"),
-                ("box.follow", "help.follow"),
-                ("box.masse", "help.masse"),
-                ("box.side", "help.side"),
-                ("box.angle", "help.angle"),
-            ),
-        ),
-    ),
-    (
-        (
-            "help.time",
-            (
-                ("@pause", "help.pause"),
-                ("@faster -1 @faster 1", "help.rate"),
-                ("@back @frame", "help.frame"),
-                ("Shift+@back @frame", "help.event"),
-                ("@home @skip", "help.skip"),
-                ("@undo @redo", "help.undo"),
-            ),
-        ),
-        (
-            "help.always",
-            (
-                ("@help", "help.help"),
-                ("@language", "help.language"),
-                ("@settings", "key.settings"),
-                ("@sheet shelf", "key.sheet shelf"),
-                ("@sheet rules", "key.sheet rules"),
-                ("@sheet menu", "key.sheet menu"),
-                ("@mute", "key.mute"),
-                ("@both", "key.both"),
-            ),
-        ),
-    ),
-)
+COLUMNS = (("play", "box"), ("aim", "numbers"), ("time", "always"))
+"""The sections of each column: what is in them comes from the table of commands."""
 MOUSE = ("help.mouse.aim", "help.mouse.cue", "help.mouse.time")
 
 
@@ -118,6 +35,13 @@ def panel(layout: Layout) -> pygame.Rect:
 def column(layout: Layout) -> int:
     """Return the width of a column, px."""
     return round((panel(layout).w - 2 * PAD * layout.s) / len(COLUMNS))
+
+
+def rows(section: str) -> list[HelpRow]:
+    """Return the rows of a section."""
+    if section == "numbers":
+        return [HelpRow(section, n, f"box.{box}", f"help.{box}") for n, box in enumerate(BOXES)]
+    return commands.rows()[section]
 
 
 def caption(key: str, w: Mapping[str, str], names: Mapping[str, str]) -> str:
@@ -147,10 +71,10 @@ def draw(
     type_.draw(surface, w["help.close"], (rect.right - PAD * s, top), 13, TEXT_SOFT, "right")
     for place, sections in enumerate(COLUMNS):
         y = rect.y + 70 * s
-        for title, rows in sections:
-            shown = [(caption(key, w, names), w[said]) for key, said in rows]
+        for section in sections:
+            shown = [(caption(row.keys, w, names), w[row.text]) for row in rows(section)]
             at = (left + place * column(layout), y)
-            y = _section(surface, type_, at, w[title], shown)
+            y = _section(surface, type_, at, w[f"help.{section}"], shown)
     foot = rect.bottom - (16 + 20 * (len(MOUSE) - 1)) * s
     for line, key in enumerate(MOUSE):
         type_.draw(surface, w[key], (left, foot + 20 * line * s), 13, TEXT_SOFT)

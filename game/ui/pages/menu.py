@@ -2,168 +2,64 @@
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Hashable
 from dataclasses import replace
-from typing import Any, NamedTuple
 
 import pygame
 
-from danggu.rules.sagu import FINISHES
 from game.input import editing
 from game.input.key_tables import character
-from game.input.numerals import typed
-from game.input.text_field import TextField
 from game.render.parts import text_line
 from game.session.action import Action
-from game.session.session import Game
-from game.session.terms import (
-    BANKS,
-    FOUR_BALL,
-    FREE,
-    GAMES,
-    LONGEST_NAME,
-    MOST_POINTS,
-    PENALTIES,
-    SEATS,
-    TABLES,
-    Fixture,
-    Seat,
-)
+from game.session.session import Session
+from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, Terms
 from game.table import presets
-from game.ui.panels.parts import Sight
+from game.text.text_field import TextField
+from game.ui.sight import Sight
 
 from . import menu_view
-from .menu_view import BUTTONS, CLOSE, NOTHING, OUTSIDE, Spot
+from .menu_rows import MenuRow, accepted, rows, stepped, text_of, written
+from .menu_view import BUTTONS, CLOSE, NOTHING, OUTSIDE, MenuLook, MenuSpot
 
 STEPS = {pygame.K_UP: -1, pygame.K_DOWN: 1}
-TURNS = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_PAGEDOWN: -10, pygame.K_PAGEUP: 10}
+CHANGES = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_PAGEDOWN: -10, pygame.K_PAGEUP: 10}
 ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
 
 
-class Row(NamedTuple):
-    """A row: its name, "choice" "text" or "number", and the player it is about (-1: nobody)."""
-
-    name: str
-    kind: str = "choice"
-    seat: int = -1
-
-
-CHOICES: dict[str, tuple[Any, ...]] = {
-    "game": GAMES,
-    "finish": FINISHES,
-    "penalty": PENALTIES,
-    "floor": (True, False),
-    "bank": BANKS,
-    "red_first": (True, False),
-    "table": tuple(presets.TABLES),
-    "cloth": tuple(presets.CLOTHS),
-    "law": ("table", *presets.LAWS),
-}
-
-
-def rows(fixture: Fixture) -> list[Row]:
-    """The rows that a fixture has: the game's at the left, the players' at the right."""
-    own = {FREE: [], FOUR_BALL: ["finish", "penalty", "floor"]}
-    names = ["game", *own.get(fixture.game, ["bank", "red_first"]), "table", "cloth", "law"]
-    left = [Row(name) for name in names]
-    if fixture.game == FREE:
-        return left
-    right = [Row("players")]
-    for seat in range(len(fixture.seats)):
-        right += [Row("name", "text", seat), Row("level", "choice", seat)]
-        right += [Row("target", "number", seat)]
-    return left + right
-
-
-def turned(fixture: Fixture, row: Row, step: int) -> Fixture:
-    """The fixture with a row `step` choices on."""
-    if row.name == "players":
-        two = (*fixture.seats, Seat())[:2]
-        return replace(fixture, seats=two if len(fixture.seats) == 1 else two[:1])
-    if row.seat >= 0:
-        return _seated(fixture, row, _turned_seat(fixture.seats[row.seat], row, step))
-    keys = CHOICES[row.name]
-    way = (step > 0) - (step < 0)
-    value = keys[(keys.index(getattr(fixture, row.name)) + way) % len(keys)]
-    changed = replace(fixture, **{row.name: value})
-    if row.name == "game":
-        changed = replace(changed, table=TABLES[value], cloth="table", law="table")
-    return changed
-
-
-def _seated(fixture: Fixture, row: Row, seat: Seat) -> Fixture:
-    seats = list(fixture.seats)
-    seats[row.seat] = seat
-    return replace(fixture, seats=tuple(seats))
-
-
-def _turned_seat(seat: Seat, row: Row, step: int) -> Seat:
-    if row.name == "level":
-        way = (step > 0) - (step < 0)
-        return replace(seat, level=SEATS[(SEATS.index(seat.level) + way) % len(SEATS)])
-    if row.name == "target":
-        return replace(seat, target=min(max(seat.target + step, 1), MOST_POINTS))
-    return seat
-
-
-def text_of(fixture: Fixture, row: Row) -> str:
-    """The text of a row that is typed into."""
-    seat = fixture.seats[row.seat]
-    return seat.name if row.name == "name" else str(seat.target)
-
-
-def written(fixture: Fixture, row: Row, text: str) -> Fixture:
-    """The fixture with the text of a name or a number, which is kept within its bounds."""
-    seat = fixture.seats[row.seat]
-    if row.name == "name":
-        return _seated(fixture, row, replace(seat, name=text.lstrip()))
-    number = min(max(int(text or 1), 1), MOST_POINTS)
-    return _seated(fixture, row, replace(seat, target=number))
-
-
-def accepted(row: Row, text: str) -> str:
-    """What of a text a row takes: a name all that can be seen, a number only digits."""
-    if row.name == "name":
-        return "".join(c for c in unicodedata.normalize("NFC", text) if c.isprintable())
-    plain = typed(text).strip()
-    return plain if plain.isascii() and plain.isdecimal() else ""
-
-
-class Menu:
-    """Focus, and the fixture that is being put together."""
+class MenuPage:
+    """Focus, and the terms that are being put together."""
 
     def __init__(self) -> None:
-        self.fixture = Fixture()
+        self.terms = Terms()
         self.focus = 0
-        self.over: Spot = NOTHING
+        self.over: MenuSpot = NOTHING
         self.field: TextField | None = None
         """The text of the row in focus, if it is one that is typed into."""
         self.touched = False
         """Has the text been edited since?  Until then arrows count a number up and down."""
         self.refused = ""
         """Why the last characters did not go into the row: "digits" or "full"."""
-        self._left: Row | None = None
+        self._left: MenuRow | None = None
         """The row of text that was left last: a syllable may come only then."""
 
-    def open(self, game: Game) -> None:
+    def open(self, session: Session) -> None:
         """Begin with what is being played."""
-        begun = game.contest.fixture if game.contest else self._free(game)
-        self.fixture = replace(begun, engine=game.match_engine)
+        begun = session.contest.terms if session.contest else self._free(session)
+        self.terms = replace(begun, engine=session.match_engine)
         self._left = None
         self._focus(0)
 
-    def _free(self, game: Game) -> Fixture:
-        table = game.table if game.table in presets.TABLES else "medium"
-        return replace(self.fixture, game=FREE, table=table, cloth="table", law="table")
+    def _free(self, session: Session) -> Terms:
+        table = session.table if session.table in presets.TABLES else "medium"
+        return replace(self.terms, game=FREE, table=table, cloth="table", law="table")
 
     @property
-    def rows(self) -> list[Row]:
-        """The rows of this fixture."""
-        return rows(self.fixture)
+    def rows(self) -> list[MenuRow]:
+        """The rows of these terms."""
+        return rows(self.terms)
 
     @property
-    def row(self) -> Row | None:
+    def row(self) -> MenuRow | None:
         """The row in focus, or None on a button."""
         return self.rows[self.focus] if self.focus < len(self.rows) else None
 
@@ -175,11 +71,17 @@ class Menu:
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
         line = None if self.field is None else sight.line(self.field)
-        return self.fixture, self.focus, self.over, line, self.refused, sight.words["menu.title"]
+        return self.terms, self.focus, self.over, line, self.refused, sight.words["menu.title"]
+
+    @property
+    def _look(self) -> MenuLook:
+        return MenuLook(
+            self.terms, self.rows, self.focus, self.over, self.field, self.touched, self.refused
+        )
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
         """Draw the menu; returns its rectangle."""
-        return menu_view.draw(surface, sight, self)
+        return menu_view.draw(surface, sight, self._look)
 
     def handle(self, event: pygame.event.Event, sight: Sight) -> Action | None:
         """Return what an event means."""
@@ -208,13 +110,13 @@ class Menu:
         elif key in ENTER:
             self._go(1)
         elif not self._edit(event, self.row):
-            self._turn(event, self.row)
+            self._step(event, self.row)
         return None
 
-    def _edit(self, event: pygame.event.Event, row: Row) -> bool:
+    def _edit(self, event: pygame.event.Event, row: MenuRow) -> bool:
         """Let a key edit the row, if it does."""
         counts = row.kind == "number" and not self.touched
-        if self.field is None or (counts and event.key in TURNS):
+        if self.field is None or (counts and event.key in CHANGES):
             return False
         meant = editing.of_key(event)
         action = editing.with_clipboard(meant, self.field)
@@ -226,9 +128,9 @@ class Menu:
             self._write(row)
         return meant is not None
 
-    def _turn(self, event: pygame.event.Event, row: Row) -> None:
-        if event.key in TURNS:
-            self.fixture = turned(self.fixture, row, TURNS[event.key])
+    def _step(self, event: pygame.event.Event, row: MenuRow) -> None:
+        if event.key in CHANGES:
+            self.terms = stepped(self.terms, row, CHANGES[event.key])
             self._focus(self.focus)
         elif row.kind == "number" and not getattr(event, "mod", 0) & editing.COMMAND:
             char = character(event) or (chr(event.key) if 32 <= event.key < 127 else "")
@@ -237,8 +139,8 @@ class Menu:
 
     def _button_key(self, key: int) -> Action | None:
         place = self.focus - len(self.rows)
-        if key in TURNS:
-            way = 1 if TURNS[key] > 0 else -1
+        if key in CHANGES:
+            way = 1 if CHANGES[key] > 0 else -1
             self.focus = len(self.rows) + (place + way) % len(BUTTONS)
         elif key in ENTER or key == pygame.K_SPACE:
             return self._do(BUTTONS[place])
@@ -254,7 +156,7 @@ class Menu:
         self.field, self.touched = None, False
         if row is not None and row.kind != "choice":
             longest = LONGEST_NAME if row.kind == "text" else len(str(MOST_POINTS))
-            self.field = TextField(text_of(self.fixture, row), longest)
+            self.field = TextField(text_of(self.terms, row), longest)
 
     def _type(self, text: str) -> None:
         row = self.row
@@ -271,17 +173,17 @@ class Menu:
     def _late(self, text: str) -> None:
         """A syllable has come after the key that ended it, and with that its row."""
         if self._left is not None:
-            name = text_of(self.fixture, self._left) + accepted(self._left, text)
-            self.fixture = written(self.fixture, self._left, name[:LONGEST_NAME])
+            name = text_of(self.terms, self._left) + accepted(self._left, text)
+            self.terms = written(self.terms, self._left, name[:LONGEST_NAME])
 
-    def _write(self, row: Row) -> None:
-        """Bring what has been typed into the fixture; a number too large is made the largest."""
+    def _write(self, row: MenuRow) -> None:
+        """Bring what has been typed into the terms; a number too large is made the largest."""
         if self.field is None:
             return
         text = self.field.text
-        self.fixture = written(self.fixture, row, text)
+        self.terms = written(self.terms, row, text)
         if row.kind == "number" and int(text or 1) > MOST_POINTS:
-            most = text_of(self.fixture, row)
+            most = text_of(self.terms, row)
             self.field, self.refused = TextField(most, len(most), anchor=len(most)), "full"
 
     def _press(self, at: tuple[int, int], sight: Sight) -> Action | None:
@@ -296,7 +198,7 @@ class Menu:
         if row is None:
             return self._do(BUTTONS[spot.place - len(self.rows)])
         if spot.step:
-            self.fixture = turned(self.fixture, row, spot.step)
+            self.terms = stepped(self.terms, row, spot.step)
             self._focus(self.focus)
         return None
 
@@ -313,7 +215,7 @@ class Menu:
     def _do(self, name: str) -> Action:
         match name:
             case "start":
-                return Action("match", self.fixture.line())
+                return Action("match", self.terms.line())
             case "quit" | "help" | "settings":
                 return Action(name)
             case _:

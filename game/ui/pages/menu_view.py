@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import pygame
 
 from game.render import theme
 from game.render.layout import Layout
 from game.render.parts import shapes, text_line
-from game.render.parts.text_line import Line
+from game.render.parts.text_line import TextLine
 from game.render.theme import ACCENT, LINE_INPUT, PANEL_RAISED
-from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, SKILLS, Fixture
-from game.ui.panels.parts import Sight
+from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, SKILLS, Terms
+from game.text.text_field import TextField
+from game.ui.names import player_name
+from game.ui.sight import Sight
 
 from . import page_parts
-
-if TYPE_CHECKING:
-    from .menu import Menu, Row
+from .menu_rows import MenuRow
 
 BUTTONS = ("start", "shelf", "rules", "help", "settings", "quit")
 ROW, STRIDE = 38, 46
@@ -31,7 +31,7 @@ GROUP = 10
 """Room above a player's rows."""
 
 
-class Spot(NamedTuple):
+class MenuSpot(NamedTuple):
     """A part of the menu: place in the order of focus, or -1; step of an arrow, or what else."""
 
     place: int
@@ -39,13 +39,39 @@ class Spot(NamedTuple):
     other: str = ""
 
 
-NOTHING, OUTSIDE, CLOSE = Spot(-1), Spot(-1, 0, "outside"), Spot(-1, 0, "close")
+NOTHING, OUTSIDE, CLOSE = MenuSpot(-1), MenuSpot(-1, 0, "outside"), MenuSpot(-1, 0, "close")
+
+
+class MenuLook(NamedTuple):
+    """What the picture of the menu depends on.
+
+    terms    what has been put together so far
+    rows     that these terms have
+    focus    counts the rows, then come the buttons
+    over     the part under the mouse
+    field    the text of the row in focus, if it is one that is typed into
+    touched  has it been edited since?
+    refused  why the last characters did not go into it: "digits" "full" or ""
+    """
+
+    terms: Terms
+    rows: list[MenuRow]
+    focus: int
+    over: MenuSpot
+    field: TextField | None
+    touched: bool
+    refused: str
+
+    @property
+    def row(self) -> MenuRow | None:
+        """The row in focus, or None on a button."""
+        return self.rows[self.focus] if self.focus < len(self.rows) else None
 
 
 # -- where things are ----------------------------------------------------------------------------
 
 
-def row_rect(rows: Sequence[Row], place: int, layout: Layout) -> pygame.Rect:
+def row_rect(rows: Sequence[MenuRow], place: int, layout: Layout) -> pygame.Rect:
     """Return where a row is."""
     area, gap = page_parts.inside(layout), layout.px(32)
     right = next((i for i, row in enumerate(rows) if row.name == "players"), len(rows))
@@ -85,7 +111,7 @@ def button_rects(layout: Layout) -> list[pygame.Rect]:
     return page_parts.row_of(bar, (1.7, 1, 1, 1, 1, 1), layout.px(10))
 
 
-def spot_at(at: tuple[int, int], sight: Sight, rows: Sequence[Row]) -> Spot:
+def spot_at(at: tuple[int, int], sight: Sight, rows: Sequence[MenuRow]) -> MenuSpot:
     """Return what is at a point of the window."""
     layout = sight.layout
     if not page_parts.panel(layout).collidepoint(at):
@@ -97,27 +123,27 @@ def spot_at(at: tuple[int, int], sight: Sight, rows: Sequence[Row]) -> Spot:
         if rect.collidepoint(at):
             left, right = arrows(rect, layout)
             if row.kind == "text":
-                return Spot(place)
+                return MenuSpot(place)
             value = 1 if row.kind == "choice" and value_rect(rect, layout).collidepoint(at) else 0
-            return Spot(
+            return MenuSpot(
                 place, -1 if left.collidepoint(at) else 1 if right.collidepoint(at) else value
             )
     for k, rect in enumerate(button_rects(layout)):
         if rect.collidepoint(at):
-            return Spot(len(rows) + k)
+            return MenuSpot(len(rows) + k)
     return NOTHING
 
 
 # -- what it looks like --------------------------------------------------------------------------
 
 
-def draw(surface: pygame.Surface, sight: Sight, menu: Menu) -> pygame.Rect:
+def draw(surface: pygame.Surface, sight: Sight, menu: MenuLook) -> pygame.Rect:
     """Draw the menu and return its rectangle."""
     w, layout, rows, over = sight.words, sight.layout, menu.rows, menu.over
     rect = page_parts.frame(
         surface, sight, w["menu.title"], _foot(w, menu), bool(menu.refused), over == CLOSE
     )
-    _heads(surface, sight, menu.fixture)
+    _heads(surface, sight, menu.terms)
     for place, row in enumerate(rows):
         _row(surface, sight, row_rect(rows, place, layout), menu, place, row)
     for k, (name, spot) in enumerate(zip(BUTTONS, button_rects(layout), strict=True)):
@@ -126,12 +152,12 @@ def draw(surface: pygame.Surface, sight: Sight, menu: Menu) -> pygame.Rect:
     return rect
 
 
-def _heads(surface: pygame.Surface, sight: Sight, fixture: Fixture) -> None:
+def _heads(surface: pygame.Surface, sight: Sight, terms: Terms) -> None:
     area, s, w = page_parts.inside(sight.layout), sight.layout.s, sight.words
     base = area.y + 12 * s
     sight.type.draw(surface, w["menu.game.head"], (area.x, base), 13, ACCENT)
     middle = area.x + (area.w - sight.layout.px(32)) // 2 + sight.layout.px(32)
-    if fixture.game != FREE:
+    if terms.game != FREE:
         sight.type.draw(surface, w["menu.players.head"], (middle, base), 13, ACCENT)
         return
     size, room = 13, area.right - middle
@@ -140,14 +166,14 @@ def _heads(surface: pygame.Surface, sight: Sight, fixture: Fixture) -> None:
         sight.type.draw(surface, line, at, size, theme.TEXT_SOFT)
 
 
-def _foot(w: dict[str, str], menu: Menu) -> str:
-    row, fixture = menu.row, menu.fixture
+def _foot(w: dict[str, str], menu: MenuLook) -> str:
+    row, terms = menu.row, menu.terms
     if row is None:
         return w["menu.hint.button"]
     if menu.refused:
         return w[f"menu.refused.{row.name}"].format(most=MOST_POINTS, length=LONGEST_NAME)
     if row.name == "level":
-        skill = SKILLS.get(fixture.seats[row.seat].level)
+        skill = SKILLS.get(terms.seats[row.seat].level)
         if skill is not None:
             numbers = {"angle": f"{skill.angle:g}", "speed": f"{100 * skill.speed:g}"}
             return w["level.error"].format(**numbers, tip=f"{skill.tip:g}")
@@ -156,23 +182,28 @@ def _foot(w: dict[str, str], menu: Menu) -> str:
     return w["menu.hint." + row.kind]
 
 
-def value_word(row: Row, fixture: Fixture, w: dict[str, str]) -> str:
+def value_word(row: MenuRow, terms: Terms, w: dict[str, str]) -> str:
     """Return what a row says."""
     if row.name == "players":
-        return w[f"players.{len(fixture.seats)}"]
+        return w[f"players.{len(terms.seats)}"]
     if row.seat >= 0:
-        seat = fixture.seats[row.seat]
+        seat = terms.seats[row.seat]
         if row.name == "name":
             return seat.name
         return w[f"level.{seat.level}"] if row.name == "level" else str(seat.target)
-    value = getattr(fixture, row.name)
+    value = getattr(terms, row.name)
     if isinstance(value, bool):
         return w["yes" if value else "no"]
     return str(value) if isinstance(value, int) else w[f"{row.name}.{value}"]
 
 
 def _row(
-    surface: pygame.Surface, sight: Sight, rect: pygame.Rect, menu: Menu, place: int, row: Row
+    surface: pygame.Surface,
+    sight: Sight,
+    rect: pygame.Rect,
+    menu: MenuLook,
+    place: int,
+    row: MenuRow,
 ) -> None:
     s, type_, w = sight.layout.s, sight.type, sight.words
     focused, box = menu.focus == place, value_rect(rect, sight.layout)
@@ -190,28 +221,23 @@ def _row(
 
 
 def _value(
-    surface: pygame.Surface, sight: Sight, rect: pygame.Rect, menu: Menu, row: Row, focused: bool
+    surface: pygame.Surface,
+    sight: Sight,
+    rect: pygame.Rect,
+    menu: MenuLook,
+    row: MenuRow,
+    focused: bool,
 ) -> None:
     """Draw what a row says: with its caret where it is typed into."""
     type_, w, window = sight.type, sight.words, text_window(rect, sight)
     base = rect.centery + type_.cap(SIZE) / 2
-    line, tone = Line(type_.fitted(value_word(row, menu.fixture, w), SIZE, window.w)), theme.TEXT
+    line, tone = TextLine(type_.fitted(value_word(row, menu.terms, w), SIZE, window.w)), theme.TEXT
     if focused and menu.field is not None:
         line = sight.line(menu.field)
     if row.name == "name" and not line.whole.text:
-        usual = player_name(menu.fixture, row.seat, w)
+        usual = player_name(menu.terms, row.seat, w)
         line, tone = line._replace(text=type_.fitted(usual, SIZE, window.w)), theme.TEXT_FAINT
     text_line.draw(surface, window, type_, line, SIZE, base, tone, "centre")
-
-
-def player_name(fixture: Fixture, index: int, w: dict[str, str]) -> str:
-    """Return how a player is called: the name that was given, or the usual one."""
-    seat = fixture.seats[index]
-    if seat.name:
-        return seat.name
-    if seat.level in SKILLS:
-        return w["player.computer"].format(level=w[f"level.{seat.level}"])
-    return w["player.human"].format(n=index + 1)
 
 
 def _arrow(surface: pygame.Surface, rect: pygame.Rect, s: float, way: int, hot: bool) -> None:

@@ -13,8 +13,8 @@ from game.render.layout import Layout
 from game.render.parts import shapes
 from game.render.theme import ACCENT, LINE, LINE_INPUT, LINE_TRACK, PANEL, PANEL_RAISED, mix
 from game.session.action import Action
-from game.session.session import Game
-from game.ui.panels.parts import Sight
+from game.session.session import Session
+from game.ui.sight import Sight
 
 WIDTH, HEIGHT = 1128, 568
 PAD = 28
@@ -33,7 +33,7 @@ class Page(Protocol):
         """Are characters typed into it?"""
         ...
 
-    def open(self, game: Game) -> None:
+    def open(self, session: Session) -> None:
         """It has been laid over the table."""
         ...
 

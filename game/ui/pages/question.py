@@ -10,40 +10,37 @@ from game.render import theme
 from game.render.layout import Layout
 from game.render.parts import shapes
 from game.session.action import Action
-from game.session.session import Game
-from game.ui.panels.parts import Sight
+from game.session.commands import COMMANDS
+from game.session.session import Session
+from game.ui.sight import Sight
 
 from . import page_parts
 
-ENDING = ("table", "line", "scene")
-"""Actions that begin something else, and so end a match."""
-TERMS = ("engine", "law", "cloth")
-"""Actions that change what a match is played with."""
-LEAVING = ("match", "quit")
-"""Actions that end a match, which is no loss before its first stroke."""
 WIDTH, HEIGHT = 480, 150
 ANSWERS = ("keep", "end")
 STEPS = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_UP: -1, pygame.K_DOWN: 1, pygame.K_TAB: 1}
 GIVEN = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
 
 
-def due(action: Action, game: Game) -> bool:
+def due(action: Action, session: Session) -> bool:
     """Would the action end or change a match that is being played?"""
-    if game.contest is None or game.contest.match.finished:
+    if session.contest is None or session.contest.match.finished:
         return False
-    if action.name in LEAVING:
-        return game.moving or not game.contest.match.opening
-    if action.name in TERMS:
-        return bool(action.value != getattr(game, action.name))
-    return action.name in ENDING
+    match COMMANDS[action.name].ends_match:
+        case "begun":  # to leave it is no loss before its first stroke
+            return session.moving or not session.contest.match.opening
+        case "terms":
+            return bool(action.value != getattr(session, action.name))
+        case why:
+            return bool(why)
 
 
-class Table:
+class QuestionPage:
     """The page of a question that is asked over the table: nothing but the question is on it."""
 
     typing = False
 
-    def open(self, game: Game) -> None:
+    def open(self, session: Session) -> None:
         """There is nothing to begin with."""
 
     def look(self, sight: Sight) -> Hashable:
@@ -67,7 +64,7 @@ class Question:
         self.focus, self.over = 0, -1
         self.words = "ask"
         """How the keys of its texts begin."""
-        if action.name == "quit" or action.name in TERMS:
+        if action.name == "quit" or COMMANDS[action.name].ends_match == "terms":
             self.words = "ask.quit" if action.name == "quit" else "ask.terms"
 
     def look(self) -> Hashable:

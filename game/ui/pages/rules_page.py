@@ -9,19 +9,20 @@ import pygame
 from game.render import theme
 from game.render.parts import shapes
 from game.session.action import Action
-from game.session.session import Game
+from game.session.session import Session
 from game.session.terms import GAMES
-from game.ui.panels.parts import Sight
+from game.text import LANGUAGES
+from game.ui.sight import Sight
 
 from . import page_parts
 
-RULES = {"free": 4, "four-ball": 7, "three-cushion": 8}
+RULES = {game: sum(key.startswith(f"rule.{game}.") for key in LANGUAGES["en"]) for game in GAMES}
 """How many rules each game has: "rule.free.1" and so on in the texts."""
 LINE, SPACE = 25, 9
 TAB = 34
 
 
-class Rules:
+class RulesPage:
     """Which game's page is open."""
 
     typing = False
@@ -30,13 +31,13 @@ class Rules:
         self.place = 0
         self.over = ""
 
-    def open(self, game: Game) -> None:
+    def open(self, session: Session) -> None:
         """Begin with the game that is played."""
-        self.place = GAMES.index(game.contest.fixture.game) if game.contest else 0
+        self.place = GAMES.index(session.contest.terms.game) if session.contest else 0
 
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
-        return self.place, self.over, sight.game.language
+        return self.place, self.over, sight.session.language
 
     def handle(self, event: pygame.event.Event, sight: Sight) -> Action | None:
         """Return what an event means."""
@@ -65,7 +66,7 @@ class Rules:
     def _tabs(self, sight: Sight) -> list[pygame.Rect]:
         area, layout = page_parts.inside(sight.layout), sight.layout
         bar = pygame.Rect(area.x, area.y, area.w, layout.px(TAB))
-        return page_parts.row_of(bar, (1, 1, 1), layout.px(8))
+        return page_parts.row_of(bar, (1,) * len(GAMES), layout.px(8))
 
     def _spot(self, at: tuple[int, int], sight: Sight) -> str:
         if not page_parts.panel(sight.layout).collidepoint(at):
@@ -73,7 +74,7 @@ class Rules:
         if page_parts.close_rect(sight.layout).collidepoint(at):
             return "close"
         tabs = zip(GAMES, self._tabs(sight), strict=True)
-        return next((game for game, rect in tabs if rect.collidepoint(at)), "")
+        return next((name for name, rect in tabs if rect.collidepoint(at)), "")
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
         """Draw the page; returns its rectangle."""

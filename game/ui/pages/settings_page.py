@@ -6,21 +6,21 @@ from collections.abc import Hashable
 
 import pygame
 
-from game.input.bindings import NAMES
+from game.input.key_tables import NAMES
 from game.session.action import Action
-from game.session.session import Game
-from game.ui.panels.parts import Sight
+from game.session.session import Session
+from game.ui.sight import Sight
 
 from . import settings_view
-from .settings_rows import CHOSEN, ROWS, Row, beside, chosen, current
+from .settings_rows import CHOSEN, ROWS, SettingsRow, beside, chosen, current
 
 CLOSE = Action("settings")
 Place = tuple[int, int]
 STEPS = {pygame.K_UP: -1, pygame.K_DOWN: 1}
-TURNS = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_RETURN: 1, pygame.K_SPACE: 1}
+CHANGES = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_RETURN: 1, pygame.K_SPACE: 1}
 
 
-class Sheet:
+class SettingsPage:
     """Focus, and the action that waits for a new key."""
 
     def __init__(self) -> None:
@@ -35,20 +35,20 @@ class Sheet:
     typing = False
     """Characters are never typed here."""
 
-    def open(self, game: Game) -> None:
+    def open(self, session: Session) -> None:
         """Stand where it stood when it was closed."""
         self.waiting = False
 
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
         state = self.focus, self.waiting, self.first, self.over
-        now = tuple(current(row, sight.game, sight.settings) for row in CHOSEN)
+        now = tuple(current(row, sight.session, sight.settings) for row in CHOSEN)
         keys = tuple(sight.preferences.keys.names.values())
         return state, now, keys, sight.preferences.refused
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
         """Draw the sheet; returns its rectangle."""
-        state = settings_view.State(self.focus, self.waiting, self.first, self.over)
+        state = settings_view.SettingsLook(self.focus, self.waiting, self.first, self.over)
         return settings_view.draw(surface, sight, state)
 
     def handle(self, event: pygame.event.Event, sight: Sight) -> Action | None:
@@ -66,7 +66,7 @@ class Sheet:
         return None
 
     @property
-    def row(self) -> Row:
+    def row(self) -> SettingsRow:
         """The row in focus."""
         return ROWS[self.focus]
 
@@ -86,15 +86,15 @@ class Sheet:
         elif key == pygame.K_TAB:
             self._go(len(CHOSEN) if self.focus < len(CHOSEN) else 0, sight)
         elif self.row.kind != "key":
-            return self._turn(TURNS.get(key, 0), sight)
+            return self._step(CHANGES.get(key, 0), sight)
         elif key in (pygame.K_RETURN, pygame.K_SPACE):
             self.waiting = True
         elif key in (pygame.K_BACKSPACE, pygame.K_DELETE):
             return Action("unbind", self.row.name)
         return None
 
-    def _turn(self, step: int, sight: Sight) -> Action | None:
-        now = current(self.row, sight.game, sight.settings)
+    def _step(self, step: int, sight: Sight) -> Action | None:
+        now = current(self.row, sight.session, sight.settings)
         return chosen(self.row, beside(self.row, now, step), now) if step else None
 
     def _go(self, focus: int, sight: Sight) -> None:
@@ -119,8 +119,10 @@ class Sheet:
         if self.row.kind == "slider":
             sight.pointer.grip = self.row.name
             return self._slide(at, sight)
-        return chosen(self.row, key, current(self.row, sight.game, sight.settings)) if key else None
+        return (
+            chosen(self.row, key, current(self.row, sight.session, sight.settings)) if key else None
+        )
 
     def _slide(self, at: Place, sight: Sight) -> Action | None:
         key = settings_view.slid(at, sight, self.focus)
-        return chosen(self.row, key, current(self.row, sight.game, sight.settings))
+        return chosen(self.row, key, current(self.row, sight.session, sight.settings))

@@ -6,44 +6,48 @@ from typing import NamedTuple
 
 from game.input.bindings import DEFAULTS
 from game.session.action import Action
-from game.session.session import Game
+from game.session.commands import COMMANDS
+from game.session.session import Session
 from game.settings.settings import CHOICES, LOUDEST, Settings
 from game.table.presets import LAWS
 
 
-class Row(NamedTuple):
-    """A row: `kind` is "choice", "switch", "slider" or "key"; `keys` are its choices."""
+class SettingsRow(NamedTuple):
+    """A row of the settings page.
+
+    name  of what it chooses
+    kind  "choice" "switch" "slider" or "key"
+    keys  its choices
+    gap   does a group of rows begin with it?
+    """
 
     name: str
     kind: str
     keys: tuple[str, ...] = ()
     gap: bool = False
-    """Does a group of rows begin with it?"""
 
 
 SWITCH = ("off", "on")
-CHOSEN: tuple[Row, ...] = (
-    Row("language", "choice", CHOICES["language"]),
-    Row("table", "choice", CHOICES["table"], gap=True),
-    Row("cloth", "choice", CHOICES["cloth"]),
-    Row("law", "choice", tuple(LAWS)),
-    Row("engine", "choice", CHOICES["engine"]),
-    Row("aids", "choice", CHOICES["aids"], gap=True),
-    Row("colours", "choice", CHOICES["colours"]),
-    Row("still", "switch", SWITCH),
-    Row("sound", "switch", SWITCH, gap=True),
-    Row("volume", "slider", tuple(str(n) for n in range(LOUDEST + 1))),
+CHOSEN: tuple[SettingsRow, ...] = (
+    SettingsRow("language", "choice", CHOICES["language"]),
+    SettingsRow("table", "choice", CHOICES["table"], gap=True),
+    SettingsRow("cloth", "choice", CHOICES["cloth"]),
+    SettingsRow("law", "choice", tuple(LAWS)),
+    SettingsRow("engine", "choice", CHOICES["engine"]),
+    SettingsRow("aids", "choice", CHOICES["aids"], gap=True),
+    SettingsRow("colours", "choice", CHOICES["colours"]),
+    SettingsRow("still", "switch", SWITCH),
+    SettingsRow("sound", "switch", SWITCH, gap=True),
+    SettingsRow("volume", "slider", tuple(str(n) for n in range(LOUDEST + 1))),
 )
-KEYS: tuple[Row, ...] = tuple(Row(name, "key") for name in DEFAULTS)
+KEYS: tuple[SettingsRow, ...] = tuple(SettingsRow(name, "key") for name in DEFAULTS)
 ROWS = CHOSEN + KEYS
-GAME = ("language", "table", "cloth", "law", "engine")
-"""Rows that the game knows, the others are preferences."""
 
 
-def current(row: Row, game: Game, settings: Settings) -> str:
+def current(row: SettingsRow, session: Session, settings: Settings) -> str:
     """Return which of a row's keys is chosen; of none ("own" laws, a scene) some other word."""
-    if row.name in GAME:
-        return str(getattr(game, row.name))
+    if (command := COMMANDS.get(row.name)) and command.kept:
+        return str(getattr(session, row.name))
     if row.name == "sound":
         return SWITCH[not settings.muted]
     if row.name == "still":
@@ -51,7 +55,7 @@ def current(row: Row, game: Game, settings: Settings) -> str:
     return str(getattr(settings, row.name))
 
 
-def chosen(row: Row, key: str, now: str) -> Action | None:
+def chosen(row: SettingsRow, key: str, now: str) -> Action | None:
     """Return what makes `key` the choice of a row that is at `now`; None if it is already."""
     if key == now:
         return None
@@ -60,7 +64,7 @@ def chosen(row: Row, key: str, now: str) -> Action | None:
     return Action(row.name, int(key) if row.kind == "slider" else key)
 
 
-def beside(row: Row, now: str, step: int) -> str:
+def beside(row: SettingsRow, now: str, step: int) -> str:
     """Return the key `step` places on: round the end, but not on a slider."""
     if now not in row.keys:
         return row.keys[0]

@@ -22,9 +22,9 @@ from game.render.theme import (
     Colour,
 )
 from game.text.keycap import cap_name
-from game.ui.panels.parts import Sight
+from game.ui.sight import Sight
 
-from .settings_rows import CHOSEN, KEYS, ROWS, Row, beside, current
+from .settings_rows import CHOSEN, KEYS, ROWS, SettingsRow, beside, current
 
 WIDTH, HEIGHT = 1128, 536
 PAD = 28
@@ -41,7 +41,7 @@ Spot = tuple[int, str]
 NOTHING, OUTSIDE, CLOSE = (-1, ""), (-1, "outside"), (-1, "close")
 
 
-class State(NamedTuple):
+class SettingsLook(NamedTuple):
     """Focused row, whether its key is waited for, first key shown, part under the mouse."""
 
     focus: int
@@ -101,7 +101,7 @@ def cells(index: int, sight: Sight) -> list[Cell]:
     )
     if found[-1].rect.right <= rect.right:
         return found
-    now = current(row, sight.game, sight.settings)
+    now = current(row, sight.session, sight.settings)
     word = choice_word(row, now, sight) if now in row.keys else "–"
     steps = [(beside(row, now, -1), "←"), (now, word), (beside(row, now, 1), "→")]
     return _side_by_side(steps, left, rect, sight)
@@ -161,7 +161,7 @@ def part_at(at: tuple[int, int], sight: Sight, first: int) -> Spot:
     return NOTHING
 
 
-def choice_word(row: Row, key: str, sight: Sight) -> str:
+def choice_word(row: SettingsRow, key: str, sight: Sight) -> str:
     """Return how a choice is called."""
     w = sight.words
     return w[f"set.{key}"] if row.kind == "switch" else w[f"set.{row.name}.{key}"]
@@ -170,7 +170,7 @@ def choice_word(row: Row, key: str, sight: Sight) -> str:
 # -- what it looks like --------------------------------------------------------------------------
 
 
-def draw(surface: pygame.Surface, sight: Sight, state: State) -> pygame.Rect:
+def draw(surface: pygame.Surface, sight: Sight, state: SettingsLook) -> pygame.Rect:
     """Draw the sheet and return its rectangle."""
     layout, type_, w, s = sight.layout, sight.type, sight.words, sight.layout.s
     rect = panel(layout)
@@ -206,7 +206,7 @@ def _scroll_bar(surface: pygame.Surface, layout: Layout, first: int) -> None:
     shapes.bar(surface, part, LINE_INPUT)
 
 
-def _foot(sight: Sight, state: State) -> tuple[str, Colour]:
+def _foot(sight: Sight, state: SettingsLook) -> tuple[str, Colour]:
     """The line at the bottom: what can be done, or why a key was refused."""
     w, refused = sight.words, sight.preferences.refused
     if state.waiting:
@@ -221,7 +221,7 @@ def _foot(sight: Sight, state: State) -> tuple[str, Colour]:
     return w["set.hint"], TEXT_SOFT
 
 
-def _cross(surface: pygame.Surface, sight: Sight, state: State) -> None:
+def _cross(surface: pygame.Surface, sight: Sight, state: SettingsLook) -> None:
     rect, s = close_rect(sight.layout), sight.layout.s
     hot = state.over == CLOSE
     shapes.box(surface, rect, s, PANEL_RAISED, LINE_INPUT if hot else LINE)
@@ -234,7 +234,12 @@ def _cross(surface: pygame.Surface, sight: Sight, state: State) -> None:
 
 
 def _row(
-    surface: pygame.Surface, sight: Sight, state: State, index: int, row: Row, rect: pygame.Rect
+    surface: pygame.Surface,
+    sight: Sight,
+    state: SettingsLook,
+    index: int,
+    row: SettingsRow,
+    rect: pygame.Rect,
 ) -> None:
     s, focused = sight.layout.s, index == state.focus
     if focused:
@@ -247,7 +252,7 @@ def _row(
     base = rect.centery + sight.type.cap(13) / 2
     ink = TEXT if focused else TEXT_SOFT
     sight.type.draw(surface, sight.words[f"set.{row.name}"], (rect.x + 10 * s, base), 13, ink)
-    now = current(row, sight.game, sight.settings)
+    now = current(row, sight.session, sight.settings)
     if row.kind == "slider":
         _slider(surface, sight, index, now, focused)
     for cell, key, word in cells(index, sight):
@@ -273,7 +278,12 @@ def _slider(surface: pygame.Surface, sight: Sight, index: int, now: str, focused
 
 
 def _key(
-    surface: pygame.Surface, sight: Sight, state: State, row: Row, rect: pygame.Rect, focused: bool
+    surface: pygame.Surface,
+    sight: Sight,
+    state: SettingsLook,
+    row: SettingsRow,
+    rect: pygame.Rect,
+    focused: bool,
 ) -> None:
     """Draw an action's key, with a border of its own where the player has changed it."""
     s, keys, w = sight.layout.s, sight.preferences.keys, sight.words

@@ -4,23 +4,22 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Hashable
-from typing import NamedTuple
 
 import pygame
 
 from game.input import editing
-from game.input.text_field import TextField
 from game.render.parts import text_line
 from game.session.action import Action
-from game.session.session import Game
+from game.session.session import Session
 from game.table import lineup
 from game.table.library import LONGEST_NAME, Library
 from game.table.lineup import MARK, LineError, Lineup
-from game.ui.panels.parts import Sight
+from game.text.text_field import TextField
+from game.ui.sight import Sight
 from game.window import clipboard
 
 from . import shelf_view
-from .shelf_view import BUTTONS, COLUMNS, GROUPS, Spot
+from .shelf_view import BUTTONS, COLUMNS, GROUPS, Card, ShelfLook, ShelfSpot
 
 STEPS = {
     pygame.K_LEFT: -1,
@@ -32,15 +31,7 @@ ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
 LONGEST = lineup.LONGEST_LINE
 
 
-class Card(NamedTuple):
-    """A set-up on show: what it is called, by a key of the texts or by the player."""
-
-    name: str
-    own: bool
-    lineup: Lineup
-
-
-class Shelf:
+class ShelfPage:
     """Which group is on show, what is in focus, and the text in the box below.
 
     `focus` counts the cards, then comes the box, then the buttons.
@@ -49,12 +40,12 @@ class Shelf:
     def __init__(self, library: Library | None = None) -> None:
         self.library = library or Library()
         self.group, self.focus = 0, 0
-        self.over = Spot("")
+        self.over = ShelfSpot("")
         self._field = TextField("", LONGEST)
         self.said: tuple[str, str] = ("", "")
         """Key of the texts and a word in it: what came of the last action."""
         self._ready: list[lineup.Ready] = []
-        self._game: Game | None = None
+        self._session: Session | None = None
 
     @property
     def cards(self) -> list[Card]:
@@ -84,10 +75,10 @@ class Shelf:
         """The text in the box while it has the focus."""
         return self._field if self.typing else None
 
-    def open(self, game: Game) -> None:
+    def open(self, session: Session) -> None:
         """Begin with the group of the game that is played."""
-        self._game = game
-        own = game.table if game.contest is None else game.contest.fixture.game
+        self._session = session
+        own = session.table if session.contest is None else session.contest.terms.game
         if own in ("match", "three-cushion") and self.group == 0:
             self.group = 1
         self.focus, self.said = 0, ("", "")
@@ -101,11 +92,14 @@ class Shelf:
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
         """Draw the shelf; returns its rectangle."""
-        return shelf_view.draw(surface, sight, self)
+        look = ShelfLook(
+            self.cards, self.group, self.focus, self.over, self.field, self.text, self.said
+        )
+        return shelf_view.draw(surface, sight, look)
 
     def handle(self, event: pygame.event.Event, sight: Sight) -> Action | None:
         """Return what an event means."""
-        self._game = sight.game
+        self._session = sight.session
         if event.type == pygame.KEYDOWN:
             return self._key(event, sight)
         if event.type == pygame.TEXTINPUT and self.typing:
@@ -224,12 +218,12 @@ class Shelf:
 
     def _do(self, name: str) -> Action | None:
         """What a button does."""
-        assert self._game is not None
+        assert self._session is not None
         match name:
             case "save":
-                self._save(self._game)
+                self._save(self._session)
             case "copy" | "shot":
-                self.text = lineup.of(self._game, shot=name == "shot").line()
+                self.text = laid(self._session, shot=name == "shot").line()
                 self.said = ("shelf.copied" if clipboard.put(self.text) else "shelf.written"), ""
             case "paste":
                 return self._paste()
@@ -237,11 +231,11 @@ class Shelf:
                 self._delete()
         return None
 
-    def _save(self, game: Game) -> None:
+    def _save(self, session: Session) -> None:
         name = " ".join(self.text.split())
         if not name or name.startswith(MARK):
             self.focus, self.said = len(self.cards), ("shelf.unnamed", "")
-        elif self.library.put(name, lineup.of(game, shot=True)):
+        elif self.library.put(name, laid(session, shot=True)):
             self._show(GROUPS.index("own"))
             self.focus, self.text = len(self.cards) - 1, ""
             self.said = "shelf.saved", name[:LONGEST_NAME]
@@ -267,3 +261,9 @@ class Shelf:
             self.focus = max(0, min(self.focus, len(cards) - 2))
         else:
             self.said = "shelf.kept", ""
+
+
+def laid(session: Session, *, shot: bool) -> Lineup:
+    """How the balls lie, with the numbers in the boxes if they are asked for and are a shot."""
+    texts = session.aim.texts if shot and session.aim.shot else ()
+    return lineup.of(session.world, session.table, texts)

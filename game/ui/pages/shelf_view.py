@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import pygame
 
 from game.render import theme
 from game.render.layout import Layout
 from game.render.parts import shapes, text_line
-from game.render.parts.text_line import Line
+from game.render.parts.text_line import TextLine
 from game.render.theme import ACCENT, LINE, LINE_INPUT, PANEL_RAISED, mix
 from game.table import presets
 from game.table.lineup import Lineup
-from game.ui.panels.parts import Sight
+from game.text.text_field import TextField
+from game.ui.sight import Sight
 from game.ui.table.looks import look
 
 from . import page_parts
-
-if TYPE_CHECKING:
-    from .shelf import Shelf
 
 GROUPS = ("sagu", "three_cushion", "scenes", "own")
 BUTTONS = ("save", "copy", "shot", "paste", "delete")
@@ -35,11 +33,40 @@ FINER = 3
 WRONG = ("line.", "shelf.un", "shelf.broken", "shelf.kept")
 
 
-class Spot(NamedTuple):
+class ShelfSpot(NamedTuple):
     """A part of the shelf: "tab" "card" "box" "button" "close" "outside" or "", and which."""
 
     kind: str
     place: int = 0
+
+
+class Card(NamedTuple):
+    """A set-up on show: what it is called, by a key of the texts or by the player."""
+
+    name: str
+    own: bool
+    lineup: Lineup
+
+
+class ShelfLook(NamedTuple):
+    """What the picture of the shelf depends on.
+
+    cards  the set-ups of the group on show
+    group  its place in GROUPS
+    focus  counts the cards, then comes the box, then the buttons
+    over   the part under the mouse
+    field  the text in the box while it has the focus, else None
+    text   what is in the box
+    said   key of the texts and a word in it: what came of the last action
+    """
+
+    cards: list[Card]
+    group: int
+    focus: int
+    over: ShelfSpot
+    field: TextField | None
+    text: str
+    said: tuple[str, str]
 
 
 # -- where things are ----------------------------------------------------------------------------
@@ -86,13 +113,13 @@ def button_rects(layout: Layout) -> list[pygame.Rect]:
     return page_parts.row_of(bar, (1, 1, 1.2, 1, 1), layout.px(8))
 
 
-def spot_at(at: tuple[int, int], sight: Sight, count: int) -> Spot:
+def spot_at(at: tuple[int, int], sight: Sight, count: int) -> ShelfSpot:
     """Return what is at a point of the window."""
     layout = sight.layout
     if not page_parts.panel(layout).collidepoint(at):
-        return Spot("outside")
+        return ShelfSpot("outside")
     if page_parts.close_rect(layout).collidepoint(at):
-        return Spot("close")
+        return ShelfSpot("close")
     for kind, rects in (
         ("tab", tab_rects(layout)),
         ("button", button_rects(layout)),
@@ -100,17 +127,17 @@ def spot_at(at: tuple[int, int], sight: Sight, count: int) -> Spot:
     ):
         for place, rect in enumerate(rects):
             if rect.collidepoint(at):
-                return Spot(kind, place)
+                return ShelfSpot(kind, place)
     for slot in range(min(count, COLUMNS * ROWS)):
         if card_rect(slot, layout).collidepoint(at):
-            return Spot("card", slot)
-    return Spot("")
+            return ShelfSpot("card", slot)
+    return ShelfSpot("")
 
 
 # -- what it looks like --------------------------------------------------------------------------
 
 
-def draw(surface: pygame.Surface, sight: Sight, shelf: Shelf) -> pygame.Rect:
+def draw(surface: pygame.Surface, sight: Sight, shelf: ShelfLook) -> pygame.Rect:
     """Draw the shelf and return its rectangle."""
     w, layout, type_ = sight.words, sight.layout, sight.type
     key, word = shelf.said
@@ -119,19 +146,19 @@ def draw(surface: pygame.Surface, sight: Sight, shelf: Shelf) -> pygame.Rect:
     closing = shelf.over.kind == "close"
     rect = page_parts.frame(surface, sight, w["shelf.title"], foot, wrong, closing)
     for place, tab in enumerate(tab_rects(layout)):
-        hot = shelf.over == Spot("tab", place)
+        hot = shelf.over == ShelfSpot("tab", place)
         label = w[f"shelf.{GROUPS[place]}"]
         page_parts.button(surface, tab, type_, label, False, hot, primary=place == shelf.group)
     _cards(surface, sight, shelf)
     _box(surface, sight, shelf)
     for place, (name, spot) in enumerate(zip(BUTTONS, button_rects(layout), strict=True)):
         focused = shelf.focus == len(shelf.cards) + 1 + place
-        hot = shelf.over == Spot("button", place)
+        hot = shelf.over == ShelfSpot("button", place)
         page_parts.button(surface, spot, type_, w[f"shelf.{name}"], focused, hot)
     return rect
 
 
-def _cards(surface: pygame.Surface, sight: Sight, shelf: Shelf) -> None:
+def _cards(surface: pygame.Surface, sight: Sight, shelf: ShelfLook) -> None:
     s, type_, w, cards = sight.layout.s, sight.type, sight.words, shelf.cards
     first = first_shown(shelf.focus, len(cards))
     if not cards:
@@ -139,7 +166,7 @@ def _cards(surface: pygame.Surface, sight: Sight, shelf: Shelf) -> None:
         type_.draw(surface, w["shelf.empty"], at, 15, theme.TEXT_SOFT)
     for slot, card in enumerate(cards[first : first + COLUMNS * ROWS]):
         rect, place = card_rect(slot, sight.layout), first + slot
-        focused, hot = shelf.focus == place, shelf.over == Spot("card", slot)
+        focused, hot = shelf.focus == place, shelf.over == ShelfSpot("card", slot)
         edge = ACCENT if focused else LINE_INPUT if hot else LINE
         shapes.box(surface, rect, s, PANEL_RAISED, edge, 2.0 if focused else 1.0, ring=focused)
         room = rect.inflate(-round(14 * s), 0)
@@ -153,12 +180,12 @@ def _cards(surface: pygame.Surface, sight: Sight, shelf: Shelf) -> None:
         type_.draw(surface, name, (rect.centerx, rect.bottom - 10 * s), 13, ink, "centre")
 
 
-def _box(surface: pygame.Surface, sight: Sight, shelf: Shelf) -> None:
+def _box(surface: pygame.Surface, sight: Sight, shelf: ShelfLook) -> None:
     s, type_, window = sight.layout.s, sight.type, text_window(sight)
     rect, focused = box_rect(sight.layout), shelf.field is not None
     edge = ACCENT if focused else LINE_INPUT
     shapes.box(surface, rect, s, PANEL_RAISED, edge, 2.0 if focused else 1.0, ring=focused)
-    line, tone = sight.line(shelf.field) if shelf.field else Line(shelf.text), theme.TEXT
+    line, tone = sight.line(shelf.field) if shelf.field else TextLine(shelf.text), theme.TEXT
     if not line.whole.text:
         said = type_.fitted(sight.words["shelf.box"], SIZE, window.w)
         line, tone = line._replace(text=said), theme.TEXT_FAINT

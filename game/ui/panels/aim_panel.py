@@ -8,7 +8,7 @@ from math import atan2, degrees, hypot
 import pygame
 
 from game.aim.edit import STRONGEST, share, speed_at
-from game.aim.preview import Contact
+from game.aim.preview import FirstContact
 from game.aim.spread import ANGLE
 from game.aim.thickness import EIGHTHS
 from game.aim.tip import STEEPEST
@@ -17,10 +17,11 @@ from game.render.parts import cards, cue_card, gauges
 from game.render.theme import TEXT_SOFT
 from game.session.action import Action
 from game.settings.settings import CHOICES
+from game.ui.sight import Place, Sight
 from game.ui.table.drag_aim import stepped
 from game.ui.table.looks import look
 
-from .parts import Part, Place, Sight, number
+from .parts import Panel, number
 
 TICKS = (0, 0.5, 1, 2, 3, 4, 5, 6, 7, 8)
 """Speeds marked on the power bar, m/s."""
@@ -31,18 +32,18 @@ NAMED = (0, 1, 2, 3, 4, 6, 8)
 
 
 def _refused(sight: Sight) -> bool:
-    notice = sight.game.notice
+    notice = sight.session.notice
     return notice is not None and notice.key == "miscue"
 
 
 def tip_key(sight: Sight) -> Hashable:
     """What the card of the tip point depends on."""
-    return sight.game.aim.tip, _refused(sight), sight.settings.aids
+    return sight.session.aim.tip, _refused(sight), sight.settings.aids
 
 
 def tip_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     """Draw the cue ball as the cue sees it, the elevation from the side, and the aids."""
-    w, tip = sight.words, sight.game.aim.tip
+    w, tip = sight.words, sight.session.aim.tip
     right, up, elevation = tip or (0.0, 0.0, 0.0)
     steep = "–" if tip is None or elevation is None else f"{number(elevation, 0)}°"
     values = [
@@ -70,7 +71,7 @@ def _signed(value: float) -> str:
 
 
 def tip_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
-    """A level of aids, the elevation, or a point of the ball."""
+    """A setting of the aids, the elevation, or a point of the ball."""
     pointer, s = sight.pointer, sight.layout.s
     (x, y), radius = gauges.tip_circle(rect, s)
     right, up = (at[0] - x) / radius, (y - at[1]) / radius
@@ -100,12 +101,12 @@ def tip_wheel(steps: int, sight: Sight) -> Action:
 
 def power_key(sight: Sight) -> Hashable:
     """What the power bar depends on."""
-    return sight.game.aim.number("speed")
+    return sight.session.aim.number("speed")
 
 
 def power_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     """Draw the power bar, with more room for slow shots than for fast ones."""
-    w, speed = sight.words, sight.game.aim.number("speed")
+    w, speed = sight.words, sight.session.aim.number("speed")
     value = number(speed) if speed is not None else "–"
     part = share(speed or 0.0)
     ticks = [(share(v), str(v) if v in NAMED else "") for v in TICKS]
@@ -128,22 +129,22 @@ def power_wheel(steps: int, sight: Sight) -> Action:
 # -- thickness -----------------------------------------------------------------------------------
 
 
-def _contact(sight: Sight) -> Contact | None:
-    seen = sight.game.preview if sight.settings.aids != "off" else None
+def _contact(sight: Sight) -> FirstContact | None:
+    seen = sight.session.preview if sight.settings.aids != "off" else None
     return seen.contact if seen else None
 
 
 def thickness_key(sight: Sight) -> Hashable:
     """What the card of the thickness depends on."""
-    return sight.game.preview is None, _contact(sight), sight.settings.aids, sight.spread.share
+    return sight.session.preview is None, _contact(sight), sight.settings.aids, sight.spread.share
 
 
 def thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     """Draw how full the first ball is met, and a row of exact eighths to choose from."""
-    w, contact, game = sight.words, _contact(sight), sight.game
+    w, contact, session = sight.words, _contact(sight), sight.session
     if contact is None:
         return _nothing_met(surface, rect, sight)
-    names = [ball.name for ball in game.world.balls]
+    names = [ball.name for ball in session.world.balls]
     colour = look(contact.ball, names.index(contact.ball), sight.settings.colours).ui
     items = [(eighths(contact.overlap), w["thickness.cut"].format(angle=number(contact.cut, 1)))]
     if (share_made := sight.spread.share) is not None:
@@ -171,7 +172,7 @@ def _nothing_met(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
     s, t, w = sight.layout.s, sight.type, sight.words
     cards.card(surface, rect, s)
     t.draw(surface, w["thickness"], (rect.x + 12 * s, rect.y + 24 * s), 13, TEXT_SOFT)
-    known = sight.game.preview is not None and sight.settings.aids != "off"
+    known = sight.session.preview is not None and sight.settings.aids != "off"
     said = w["thickness.free"] if known else "–"
     t.draw(surface, said, (rect.x + 12 * s, rect.y + 56 * s), 15, TEXT_SOFT)
     return rect
@@ -185,13 +186,13 @@ def eighths(overlap: float) -> str:
     return "<1/8" if n == 0 else str(n) if d == 1 else f"{n}/{d}"
 
 
-def parts(layout: Layout) -> list[Part]:
+def parts(layout: Layout) -> list[Panel]:
     """The cards, from the top."""
     tip = tip_key, tip_draw, tip_touch, True, "aim", 0, tip_wheel
     power = power_key, power_draw, power_touch, True, "aim", 0, power_wheel
     thickness = thickness_key, thickness_draw, thickness_touch, False, "aim", 0, thickness_wheel
     return [
-        Part("tip", layout.tip, *tip),
-        Part("power", layout.power, *power),
-        Part("thickness", layout.thickness, *thickness),
+        Panel("tip", layout.tip, *tip),
+        Panel("power", layout.power, *power),
+        Panel("thickness", layout.thickness, *thickness),
     ]

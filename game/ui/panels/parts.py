@@ -3,59 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import pygame
 
 from game.aim.entry import BOXES, MINUS, MOST, Fault, shown
-from game.aim.spread import Spread
-from game.input.composing import Composition
-from game.input.pointer import Pointer
-from game.input.text_field import TextField
-from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts import cards, fields, icons
-from game.render.parts.text_line import Line
+from game.render.parts.text_line import TextLine
 from game.session.action import Action
-from game.session.session import Game, Notice
-from game.settings.preferences import Preferences
-from game.settings.settings import Settings
-from game.text import words
+from game.session.session import Notice, Session
+from game.ui.sight import Place, Sight
 
 from . import prompts
 
-Place = tuple[float, float]
 WARNINGS = ("miscue",)
 """Notices of something that was put right, so that the shot can be played."""
-
-
-@dataclass(slots=True)
-class Sight:
-    """Everything a part draws from."""
-
-    game: Game
-    layout: Layout
-    type: Type
-    pointer: Pointer
-    preferences: Preferences
-    spread: Spread
-    mode: str = "aim"
-    """The right column: "aim" shows the next shot, "after" the last one."""
-    portrait: Callable[[int], pygame.Surface] | None = None
-    """The picture of a ball, by its place among the balls, for lists and plates."""
-    composition: Composition = field(default_factory=Composition)
-
-    @property
-    def words(self) -> dict[str, str]:
-        return words(self.game.language, self.preferences.keys.changed)
-
-    @property
-    def settings(self) -> Settings:
-        return self.preferences.settings
-
-    def line(self, edited: TextField) -> Line:
-        """How a text that is being edited looks."""
-        return Line(edited.text, edited.caret, edited.selection, self.composition.text)
 
 
 Key = Callable[[Sight], Hashable]
@@ -73,13 +36,18 @@ def _no_wheel(steps: int, sight: Sight) -> Action | None:
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class Panel:
     """A piece of the window.
 
-    key: what its picture depends on; draw: paints it and returns what it touched; touch: what a
-    press of the mouse there means; wheel: what so many notches up mean; `drags` parts are touched
-    again while the mouse moves; `mode`: shown in this column only; `spill`: px at s = 1 by which
-    the picture may stand out.
+    name   what the mouse's `over` and `held` call it
+    rect   where it is
+    key    what its picture depends on
+    draw   paints it and returns what it touched
+    touch  what a press of the mouse there means
+    drags  is it touched again while the mouse moves?
+    mode   of the column in which alone it is shown, "" for both
+    spill  px at s = 1 by which the picture may stand out
+    wheel  what so many notches up mean
     """
 
     name: str
@@ -102,7 +70,7 @@ def number(value: float, places: int = 2) -> str:
 # -- the five boxes ------------------------------------------------------------------------------
 
 
-def box_part(index: int, rect: pygame.Rect) -> Part:
+def box_part(index: int, rect: pygame.Rect) -> Panel:
     """One of the five boxes."""
 
     def key(sight: Sight) -> Hashable:
@@ -119,7 +87,7 @@ def box_part(index: int, rect: pygame.Rect) -> Part:
     def touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
         return _box_touch(index, at, rect, sight)
 
-    return Part(f"box {index}", rect, key, draw, touch, spill=4)
+    return Panel(f"box {index}", rect, key, draw, touch, spill=4)
 
 
 def _label(box: str, w: dict[str, str]) -> str:
@@ -129,8 +97,8 @@ def _label(box: str, w: dict[str, str]) -> str:
 
 def _box_touch(index: int, at: Place, rect: pygame.Rect, sight: Sight) -> Action:
     """The first press begins to edit all of the box, the next one chooses a place in it."""
-    edited = sight.game.aim.edited
-    if edited is None or sight.game.aim.box != index:
+    edited = sight.session.aim.edited
+    if edited is None or sight.session.aim.box != index:
         return Action("edit", index)
     unit, text = _unit(index, sight.words), shown(edited.text)
     return Action("caret", fields.caret_at(rect, sight.type, text, at[0], unit, edited.caret))
@@ -140,10 +108,10 @@ def _unit(index: int, w: dict[str, str]) -> str:
     return w["unit.angle" if BOXES[index] == "angle" else "unit.speed"]
 
 
-def _box_look(index: int, sight: Sight) -> tuple[Line, str]:
+def _box_look(index: int, sight: Sight) -> tuple[TextLine, str]:
     """What is in a box, and its state."""
-    aim = sight.game.aim
-    line, edited = Line(shown(aim.texts[index])), aim.box == index
+    aim = sight.session.aim
+    line, edited = TextLine(shown(aim.texts[index])), aim.box == index
     if edited and aim.edited is not None:
         line = sight.line(aim.edited)._replace(text=line.text)
     if any(f.box == index for f in aim.shown_faults):
@@ -153,7 +121,7 @@ def _box_look(index: int, sight: Sight) -> tuple[Line, str]:
     elif sight.pointer.over == f"box {index}":
         state = "hover"
     else:
-        state = "disabled" if sight.game.moving else "idle"
+        state = "disabled" if sight.session.moving else "idle"
     return line, state
 
 
@@ -162,11 +130,11 @@ def _box_look(index: int, sight: Sight) -> tuple[Line, str]:
 
 def _shoot_look(sight: Sight) -> tuple[str, str, str]:
     """Label, key cap and state of the button."""
-    game, w = sight.game, sight.words
+    session, w = sight.session, sight.words
     hot = sight.pointer.over == "shoot"
     state = ("pressed" if sight.pointer.down else "hover") if hot else "idle"
-    label, cap, action = prompts.button(game)
-    if action.name in ("fire", "next") and game.aim.shown_faults:
+    label, cap, action = prompts.button(session)
+    if action.name in ("fire", "next") and session.aim.shown_faults:
         state = "disabled"
     return w[label], w[cap] if cap else "", state
 
@@ -176,7 +144,7 @@ def _shoot_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyg
 
 
 def _shoot_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
-    return prompts.button(sight.game)[2]
+    return prompts.button(sight.session)[2]
 
 
 def why(fault: Fault, w: dict[str, str], pattern: str = "fault") -> str:
@@ -185,42 +153,42 @@ def why(fault: Fault, w: dict[str, str], pattern: str = "fault") -> str:
     return w[pattern].format(box=w["box." + BOXES[fault.box]], why=reason)
 
 
-def hint(game: Game, w: dict[str, str]) -> tuple[str, bool]:
+def hint(session: Session, w: dict[str, str]) -> tuple[str, bool]:
     """The line of help, or of what went wrong."""
-    aim = game.aim
-    if game.notice is not None and game.notice.error:
-        return _noticed(game.notice, game, w), True
+    aim = session.aim
+    if session.notice is not None and session.notice.error:
+        return _noticed(session.notice, session, w), True
     if aim.wrong:
         faults = aim.faults
         return (why(faults[0], w, "wrong"), True) if faults else (w["wrong.mended"], True)
     if aim.shown_faults:
         return why(aim.shown_faults[0], w), True
-    if game.notice is not None:
-        return _noticed(game.notice, game, w), False
-    return w[prompts.hint(game) or "hint." + _situation(game)], False
+    if session.notice is not None:
+        return _noticed(session.notice, session, w), False
+    return w[prompts.hint(session) or "hint." + _situation(session)], False
 
 
-def _noticed(notice: Notice, game: Game, w: dict[str, str]) -> str:
-    names = {"law": w[f"law.{game.law}"], "engine": w[f"engine.{game.engine}"]}
+def _noticed(notice: Notice, session: Session, w: dict[str, str]) -> str:
+    names = {"law": w[f"law.{session.law}"], "engine": w[f"engine.{session.engine}"]}
     return w[f"notice.{notice.key}"].format(**names)
 
 
-def _situation(game: Game) -> str:
-    if game.paused:
+def _situation(session: Session) -> str:
+    if session.paused:
         return "paused"
-    if game.aim.box is not None:
-        return "last" if game.aim.box == len(BOXES) - 1 else "editing"
-    if game.moving:
+    if session.aim.box is not None:
+        return "last" if session.aim.box == len(BOXES) - 1 else "editing"
+    if session.moving:
         return "moving"
-    if game.aim.complete:
+    if session.aim.complete:
         return "ready"
-    return "rest" if game.shown_shot else "spent"
+    return "rest" if session.shown_shot else "spent"
 
 
 def _hint_look(sight: Sight) -> tuple[str, bool, bool]:
     """The line, whether it is an error, and whether it warns of what is done all the same."""
-    notice = sight.game.notice
-    return *hint(sight.game, sight.words), notice is not None and notice.key in WARNINGS
+    notice = sight.session.notice
+    return *hint(sight.session, sight.words), notice is not None and notice.key in WARNINGS
 
 
 def _hint_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -230,18 +198,18 @@ def _hint_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyga
 # -- engine and read-outs ------------------------------------------------------------------------
 
 
-def badge(game: Game, w: dict[str, str]) -> tuple[str, str]:
+def badge(session: Session, w: dict[str, str]) -> tuple[str, str]:
     """Engine and laws in use, and the table."""
-    table = w.get("table." + game.table) or w["position." + game.table]
-    if getattr(game.world.cushion_law, "creates_energy", False):
+    table = w.get("table." + session.table) or w["position." + session.table]
+    if getattr(session.world.cushion_law, "creates_energy", False):
         table = f"{w['law.creates']} · {table}"
-    return f"{w['engine.' + game.engine]} · {w['law.' + game.law]}", table
+    return f"{w['engine.' + session.engine]} · {w['law.' + session.law]}", table
 
 
-def _short_badge(game: Game, w: dict[str, str]) -> str:
+def _short_badge(session: Session, w: dict[str, str]) -> str:
     """Engine and laws where there is little room: neither is left out."""
-    law = w.get(f"set.law.{game.law}") or w[f"law.{game.law}"]
-    return f"{w['engine.short.' + game.engine]} · {law}"
+    law = w.get(f"set.law.{session.law}") or w[f"law.{session.law}"]
+    return f"{w['engine.short.' + session.engine]} · {law}"
 
 
 TOOLS = {"menu": Action("sheet", "menu"), "mute": Action("mute"), "settings": Action("settings")}
@@ -258,14 +226,14 @@ def _tools(rect: pygame.Rect, sight: Sight) -> dict[str, pygame.Rect]:
 
 
 def _engine_key(sight: Sight) -> Hashable:
-    return badge(sight.game, sight.words), sight.preferences.audio.silent
+    return badge(sight.session, sight.words), sight.preferences.audio.silent
 
 
 def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
-    first, second = badge(sight.game, sight.words)
+    first, second = badge(sight.session, sight.words)
     kept = 24 * len(TOOLS)
     if sight.type.width(first, 13) > rect.w - (42 + kept) * sight.layout.s:
-        first = _short_badge(sight.game, sight.words)
+        first = _short_badge(sight.session, sight.words)
     cards.engine(surface, rect, sight.type, first, second, sight.words["corner"], kept=kept)
     pictures = {"mute": "silent" if sight.preferences.audio.silent else "sound"}
     for name, box in _tools(rect, sight).items():
@@ -283,24 +251,24 @@ def _engine_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 
 
 def _readouts_key(sight: Sight) -> Hashable:
-    return tuple(number(v) for v in sight.game.readout)
+    return tuple(number(v) for v in sight.session.readout)
 
 
 def _readouts_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     w = sight.words
     names = (w["read.v"], w["read.w"], w["read.wz"])
-    values = (number(v) for v in sight.game.readout)
+    values = (number(v) for v in sight.session.readout)
     items = [(name, value, w["unit.speed"]) for name, value in zip(names, values, strict=True)]
     return cards.readouts(surface, rect, sight.type, items)
 
 
-def fixed_parts(layout: Layout) -> list[Part]:
+def fixed_parts(layout: Layout) -> list[Panel]:
     """The parts that every state of the game shows."""
     return [
         *(box_part(i, rect) for i, rect in enumerate(layout.fields)),
-        Part("shoot", layout.shoot, _shoot_look, _shoot_draw, _shoot_touch),
-        Part("hint", layout.hint, _hint_look, _hint_draw),
-        Part("engine", layout.engine, _engine_key, _engine_draw, _engine_touch),
-        Part("read", layout.readouts, _readouts_key, _readouts_draw, mode="aim"),
-        Part("read after", layout.readouts_after, _readouts_key, _readouts_draw, mode="after"),
+        Panel("shoot", layout.shoot, _shoot_look, _shoot_draw, _shoot_touch),
+        Panel("hint", layout.hint, _hint_look, _hint_draw),
+        Panel("engine", layout.engine, _engine_key, _engine_draw, _engine_touch),
+        Panel("read", layout.readouts, _readouts_key, _readouts_draw, mode="aim"),
+        Panel("read after", layout.readouts_after, _readouts_key, _readouts_draw, mode="after"),
     ]

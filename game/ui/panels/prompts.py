@@ -7,7 +7,7 @@ can say one thing and do another.  Where the key has another meaning just then, 
 from __future__ import annotations
 
 from game.session.action import Action
-from game.session.session import Game
+from game.session.session import Session
 
 Button = tuple[str, str, Action]
 """Keys of the texts for the label and the key cap, and what a press means."""
@@ -28,57 +28,57 @@ WATCHED: dict[str, Button] = {
 """While a record is watched, by what the notice says of it."""
 
 
-def button(game: Game) -> Button:
+def button(session: Session) -> Button:
     """The primary button as the game stands."""
-    if game.notice is not None and game.notice.key in WATCHED:
-        return WATCHED[game.notice.key]
-    if game.arranging:
+    if session.notice is not None and session.notice.key in WATCHED:
+        return WATCHED[session.notice.key]
+    if session.arranging:
         return "place.done", "key.b", Action("arrange")
-    editing = game.aim.box is not None
-    return _of_match(game, editing) or (FINISH if editing else _of_table(game))
+    editing = session.aim.box is not None
+    return _of_match(session, editing) or (FINISH if editing else _of_table(session))
 
 
-def _of_table(game: Game) -> Button:
-    if game.moving:
+def _of_table(session: Session) -> Button:
+    if session.moving:
         return STOP
-    if game.shown_shot:
+    if session.shown_shot:
         return NEXT
-    return SHOOT if game.aim.complete else COMPLETE
+    return SHOOT if session.aim.complete else COMPLETE
 
 
-def _of_match(game: Game, editing: bool) -> Button | None:
+def _of_match(session: Session, editing: bool) -> Button | None:
     """The button where a match makes it another one, else None."""
-    contest = game.contest
+    contest = session.contest
     if contest is None:
         return None
-    if game.moving:
+    if session.moving:
         return "skip", "" if editing else "key.end", Action("skip")
     if contest.match.finished:
         return "again", "key.f10", Action("sheet", "menu")
     if contest.level is not None:
-        return RESUME if game.paused else ("hurry", ENTER, Action("fire"))
-    return ("next", ENTER, Action("next")) if game.shown_shot else None
+        return RESUME if session.paused else ("hurry", ENTER, Action("fire"))
+    return ("next", ENTER, Action("next")) if session.shown_shot else None
 
 
-def entered(game: Game) -> Action:
+def entered(session: Session) -> Action:
     """What RETURN means in play: what the button does, if it names that key."""
-    _, cap, action = button(game)
+    _, cap, action = button(session)
     return action if cap == ENTER else Action("shoot")
 
 
-def hint(game: Game) -> str | None:
+def hint(session: Session) -> str | None:
     """The key of the hint where a match or placing makes it another one, else None."""
-    contest = game.contest
-    if game.arranging:
+    contest = session.contest
+    if session.arranging:
         return "hint.arrange"
-    if contest is None or game.paused or game.aim.box is not None:
+    if contest is None or session.paused or session.aim.box is not None:
         return None
-    if game.moving:
+    if session.moving:
         return "hint.rolling"
     if contest.match.finished:
         return "hint.over"
     if contest.level is not None:
         return "hint.thinks"
-    if game.shown_shot:
+    if session.shown_shot:
         return "hint.next"
-    return "hint.match" if game.aim.complete else None
+    return "hint.match" if session.aim.complete else None

@@ -11,9 +11,10 @@ from danggu.rules.verdict import Verdict
 from game.render.parts import cards
 from game.render.theme import ACCENT, ERROR, GOOD, TEXT, TEXT_SOFT, Colour
 from game.session.running_match import Contest
-from game.ui.pages.menu_view import player_name
+from game.ui.names import player_name
+from game.ui.sight import Sight
 
-from .parts import Sight, number
+from .parts import number
 
 Result = tuple[str, str, str, Colour]
 
@@ -21,7 +22,7 @@ Result = tuple[str, str, str, Colour]
 def match_look(contest: Contest, sight: Sight) -> Hashable:
     """Return what plates and inning depend on."""
     thinking = contest.thinking, contest.share if sight.mode == "aim" else None
-    return contest.match, thinking, contest.fixture, sight.game.moving, sight.mode
+    return contest.match, thinking, contest.terms, sight.session.moving, sight.mode
 
 
 def match_draw(contest: Contest, surface: pygame.Surface, sight: Sight) -> None:
@@ -44,13 +45,13 @@ def _plate(
     playing = match.winner == index if match.finished else match.at == index
     said, tone = _line(sight, contest, index)
     share = sheet.score / target if target and tone is None else None
-    names = [ball.name for ball in sight.game.world.balls]
+    names = [ball.name for ball in sight.session.world.balls]
     ball = sight.portrait(names.index(match.cue_of(index))) if sight.portrait else None
     cards.score(
         surface,
         rect,
         sight.type,
-        player_name(contest.fixture, index, sight.words),
+        player_name(contest.terms, index, sight.words),
         said,
         number(sheet.score, 0),
         str(target),
@@ -75,10 +76,10 @@ def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | Non
         parts.append(w["score.fouls"].format(n=sheet.fouls))
     if match.at != index or match.finished:
         return " · ".join(parts), None
-    if contest.level is not None and not sight.game.moving and sight.mode == "aim":
+    if contest.level is not None and not sight.session.moving and sight.mode == "aim":
         return _thought(contest, w), ACCENT
     if contest.closing:
-        last = contest.fixture.finish == LAST_POINT_3C
+        last = contest.terms.finish == LAST_POINT_3C
         return w["score.last" if last else "score.extra"], ACCENT
     if match.run:
         parts.insert(0, w["score.run"].format(n=match.run))
@@ -93,7 +94,7 @@ def _thought(contest: Contest, w: dict[str, str]) -> str:
 
 
 def _alone(surface: pygame.Surface, rect: pygame.Rect, sight: Sight, contest: Contest) -> None:
-    """Draw the numbers of somebody who plays alone where the other player's plate would be."""
+    """Draw the numbers of a player who plays alone where the other player's plate would be."""
     s, t, w = sight.layout.s, sight.type, sight.words
     cards.card(surface, rect, s)
     sheet = contest.match.sheets[0]
@@ -119,11 +120,11 @@ def result(contest: Contest, verdict: Verdict, sight: Sight) -> Result:
     w, match, index = sight.words, contest.match, contest.shooter
     first, (badge, tone) = reason(verdict, w), counted(verdict)
     if verdict.won:
-        name = player_name(contest.fixture, index, w)
+        name = player_name(contest.terms, index, w)
         sheet = match.sheets[index]
-        told = _counted("fact.innings", sheet.innings, w)
-        told += " · " + w["score.average"].format(n=number(sheet.average))
-        return badge, w["score.wins"].format(name=name), f"{told} · {first}", tone
+        said = _counted("fact.innings", sheet.innings, w)
+        said += " · " + w["score.average"].format(n=number(sheet.average))
+        return badge, w["score.wins"].format(name=name), f"{said} · {first}", tone
     return badge, first, " · ".join(_facts(contest, verdict, w)), tone
 
 
@@ -145,10 +146,10 @@ def _facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
             w["fact.run"].format(n=match.run),
         ]
     passes = w["fact.passes" if len(match.players) > 1 else "fact.inning"]
-    told = [passes] if verdict.passes else [w["fact.same"]]
+    said = [passes] if verdict.passes else [w["fact.same"]]
     if verdict.facts.cushions and not verdict.foul:
-        told.append(_counted("fact.cushions", verdict.facts.cushions, w))
-    return told
+        said.append(_counted("fact.cushions", verdict.facts.cushions, w))
+    return said
 
 
 def _counted(key: str, n: int, w: dict[str, str]) -> str:

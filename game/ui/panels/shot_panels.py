@@ -8,61 +8,62 @@ from math import ceil
 
 import pygame
 
+from game.input.captions import words
 from game.render.layout import Layout
 from game.render.parts import cards
 from game.render.theme import BACKGROUND, TEXT, TEXT_SOFT
 from game.session.action import Action
-from game.session.session import Game
+from game.session.session import Session
 from game.session.ticks import TICKS
-from game.session.timeline import moment, notable, passed
-from game.text import LANGUAGES, words
+from game.text import LANGUAGES
+from game.ui.sight import Place, Sight
 from game.ui.table import drag_aim, place_balls
 from game.ui.table.looks import ball_words, look
 
 from . import aim_panel, score_plates, time_strip
-from .parts import Part, Place, Sight, number
+from .parts import Panel, number
 
 # -- the row above the table ---------------------------------------------------------------------
 
 
-def _state(game: Game) -> str:
-    if game.arranging:
+def _state(session: Session) -> str:
+    if session.arranging:
         return "arranging"
-    if game.paused or game.head.at is not None:
-        return "replay" if game.head.playing else "paused"
-    if game.moving:
+    if session.paused or session.timeline.at is not None:
+        return "replay" if session.timeline.playing else "paused"
+    if session.moving:
         return "moving"
-    if game.aim.box is not None:
+    if session.aim.box is not None:
         return "editing"
-    if game.shown_shot:
+    if session.shown_shot:
         return "rest"
-    return "ready" if game.aim.complete else "spent"
+    return "ready" if session.aim.complete else "spent"
 
 
 def _head_numbers(sight: Sight) -> tuple[tuple[str, str], ...]:
-    game, w = sight.game, sight.words
-    balls, cushions = game.counts
-    values = (str(game.shots), str(balls), str(cushions), number(game.readout_time))
+    session, w = sight.session, sight.words
+    balls, cushions = session.counts
+    values = (str(session.shots), str(balls), str(cushions), number(session.readout_time))
     names = ("count.shots", "count.balls", "count.cushions", "count.time")
     return tuple((w[name], value) for name, value in zip(names, values, strict=True))
 
 
 def _head_look(sight: Sight) -> Hashable:
-    if sight.game.contest is not None:
-        return score_plates.match_look(sight.game.contest, sight)
-    return _state(sight.game), _head_numbers(sight)
+    if sight.session.contest is not None:
+        return score_plates.match_look(sight.session.contest, sight)
+    return _state(sight.session), _head_numbers(sight)
 
 
 def _head_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     surface.fill(BACKGROUND, rect)
-    if sight.game.contest is not None:
-        score_plates.match_draw(sight.game.contest, surface, sight)
+    if sight.session.contest is not None:
+        score_plates.match_draw(sight.session.contest, surface, sight)
         return rect
     s, t, w = sight.layout.s, sight.type, sight.words
     cards.card(surface, rect, s, raised=True)
     left = rect.x + round(16 * s)
     t.draw(surface, w["free"], (left, rect.y + 21 * s), 15, TEXT)
-    t.draw(surface, w["state." + _state(sight.game)], (left, rect.y + 39 * s), 12, TEXT_SOFT)
+    t.draw(surface, w["state." + _state(sight.session)], (left, rect.y + 39 * s), 12, TEXT_SOFT)
     right = rect.right - round(16 * s)
     for name, value in reversed(_head_numbers(sight)):
         middle = right - round(36 * s)
@@ -76,15 +77,15 @@ def _head_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyga
 
 
 def _result_look(sight: Sight) -> score_plates.Result:
-    w, contest = sight.words, sight.game.contest
-    if contest is not None and contest.verdict is not None and sight.game.head.at is None:
+    w, contest = sight.words, sight.session.contest
+    if contest is not None and contest.verdict is not None and sight.session.timeline.at is None:
         return score_plates.result(contest, contest.verdict, sight)
-    balls, cushions = sight.game.counts
-    time = sight.game.readout_time
+    balls, cushions = sight.session.counts
+    time = sight.session.readout_time
     first = w[f"result.balls.{min(balls, 2)}"].format(count=balls)
     line = w["result.line.1" if cushions == 1 else "result.line"]
     second = line.format(cushions=cushions, time=number(time))
-    if contest is not None and (settled := contest.settled(sight.game)):
+    if settled := sight.session.settled:
         badge, tone = score_plates.counted(settled)
         return badge, score_plates.reason(settled, w), second, tone
     return str(balls), first, second, TEXT
@@ -95,25 +96,27 @@ def _result_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
 
 
 def _log_key(sight: Sight) -> Hashable:
-    game = sight.game
-    head = passed(game), game.head.at is None
-    return game.shots, game.began, len(game.world.log), head, sight.settings.both
+    session = sight.session
+    head = session.timeline.passed, session.timeline.at is None
+    return session.shots, session.began, len(session.world.log), head, sight.settings.both
 
 
 def log_rows(
-    game: Game, w: dict[str, str], colours: str = "usual", hit: str = "event.ball"
+    session: Session, w: dict[str, str], colours: str = "usual", hit: str = "event.ball"
 ) -> list[cards.LogRow]:
     """The events of the shot that matter to a player; `hit` is the key for balls that meet."""
-    names = [ball.name for ball in game.world.balls]
+    names = [ball.name for ball in session.world.balls]
     colour = {name: look(name, i, colours) for i, name in enumerate(names)}
 
     def dots(balls: tuple[str, ...]) -> tuple[tuple[tuple[int, int, int], str], ...]:
         return tuple((colour[b].ui, colour[b].letter) for b in balls)
 
-    rows = [cards.LogRow("0.00", dots((game.shooter,)), w["event.strike"])] if game.shots else []
-    for event in notable(game):
+    rows = (
+        [cards.LogRow("0.00", dots((session.shooter,)), w["event.strike"])] if session.shots else []
+    )
+    for event in session.timeline.notable:
         balls = event.balls
-        if balls[-1] == game.shooter:
+        if balls[-1] == session.shooter:
             balls = balls[::-1]
         if event.kind == "ball":
             first, second = (ball_words(b, w) for b in balls)
@@ -123,31 +126,34 @@ def log_rows(
             said = w["event.cushion"].format(wall=side) if side else w["event.cushion.inner"]
         else:
             said = w["event.rest"]
-        rows.append(cards.LogRow(number(event.time - game.began), dots(balls), said))
+        rows.append(cards.LogRow(number(event.time - session.began), dots(balls), said))
     return rows
 
 
-def _log_times(game: Game) -> list[float]:
+def _log_times(session: Session) -> list[float]:
     """When the rows of the log were, world seconds."""
-    times = [event.time for event in notable(game)]
-    return [game.began, *times] if game.shots else times
+    times = [event.time for event in session.timeline.notable]
+    return [session.began, *times] if session.shots else times
 
 
 def _log_place(sight: Sight, rect: pygame.Rect) -> tuple[int, int]:
     """The current row, and the first one shown: the last ones while the log is being written."""
-    game = sight.game
-    times, shown = _log_times(game), cards.log_rows(rect, sight.layout.s)
-    if game.head.at is None:
+    session = sight.session
+    times, shown = _log_times(session), cards.log_rows(rect, sight.layout.s)
+    if session.timeline.at is None:
         return len(times) - 1, max(0, len(times) - shown)
-    current = sum(time <= moment(game) for time in times) - 1
+    current = sum(time <= session.timeline.moment for time in times) - 1
     return current, cards.log_scroll(len(times), current, shown)
 
 
 def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
-    rows, title = log_rows(sight.game, sight.words, sight.settings.colours), sight.words["events"]
+    rows, title = (
+        log_rows(sight.session, sight.words, sight.settings.colours),
+        sight.words["events"],
+    )
     if sight.settings.both:
-        other = words(next(key for key in LANGUAGES if key != sight.game.language))
-        rows = _with_second(rows, log_rows(sight.game, other, hit="event.hit"))
+        other = words(next(key for key in LANGUAGES if key != sight.session.language))
+        rows = _with_second(rows, log_rows(sight.session, other, hit="event.hit"))
         title += " · " + other["events"]
     current, top = _log_place(sight, rect)
     letters = sight.settings.colours == "safe"
@@ -166,10 +172,10 @@ def _log_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
     """Show the moment of a row; the head of the list adds the other language."""
     if at[1] < cards.log_row(rect, sight.layout.s, 0).y:
         return Action("both")
-    times, (_, top) = _log_times(sight.game), _log_place(sight, rect)
+    times, (_, top) = _log_times(sight.session), _log_place(sight, rect)
     for place, time in enumerate(times[top : top + cards.log_rows(rect, sight.layout.s)]):
         if cards.log_row(rect, sight.layout.s, place).collidepoint(at):
-            return Action("scrub", max(0, ceil((time - sight.game.began) * TICKS)))
+            return Action("scrub", max(0, ceil((time - sight.session.began) * TICKS)))
     return None
 
 
@@ -177,10 +183,10 @@ def _log_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 
 
 def _table_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
-    game = sight.game
-    if game.arranging:
+    session = sight.session
+    if session.arranging:
         return place_balls.touch(at, sight)
-    if game.moving or not sight.layout.bed.collidepoint(at):
+    if session.moving or not sight.layout.bed.collidepoint(at):
         return None
     return drag_aim.touch(at, sight)
 
@@ -193,15 +199,15 @@ def _nothing_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> p
     return pygame.Rect(0, 0, 0, 0)
 
 
-def shot_parts(layout: Layout) -> list[Part]:
+def shot_parts(layout: Layout) -> list[Panel]:
     """The parts that tell about the next shot or the last one."""
     head = layout.score[0].union(layout.score[2])
     table = _nothing_key, _nothing_draw, _table_touch
     return [
-        Part("head", head, _head_look, _head_draw),
+        Panel("head", head, _head_look, _head_draw),
         time_strip.part(layout),
         *aim_panel.parts(layout),
-        Part("result", layout.result, _result_look, _result_draw, mode="after"),
-        Part("log", layout.log, _log_key, _log_draw, _log_touch, mode="after"),
-        Part("table", layout.bed, *table, drags=True, wheel=drag_aim.wheel),
+        Panel("result", layout.result, _result_look, _result_draw, mode="after"),
+        Panel("log", layout.log, _log_key, _log_draw, _log_touch, mode="after"),
+        Panel("table", layout.bed, *table, drags=True, wheel=drag_aim.wheel),
     ]

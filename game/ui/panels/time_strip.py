@@ -10,53 +10,53 @@ import pygame
 from game.aim.preview import NO_STORY, Story
 from game.render.layout import Layout
 from game.render.parts import lanes
-from game.session import timeline
 from game.session.action import Action
 from game.session.ticks import TICKS
+from game.ui.sight import Place, Sight
 from game.ui.table.looks import look
 
-from .parts import Part, Place, Sight, number
+from .parts import Panel, number
 
 
 def _playing(sight: Sight) -> bool:
-    game = sight.game
-    if game.head.at is not None:
-        return game.head.playing
-    return game.moving and not game.paused
+    session = sight.session
+    if session.timeline.at is not None:
+        return session.timeline.playing
+    return session.moving and not session.paused
 
 
 def _buttons(sight: Sight) -> lanes.Buttons:
     """How the buttons look: whether there is something to undo, redo and play, and the speed."""
-    game = sight.game
-    past, future = bool(game.history.past), bool(game.history.future)
-    return lanes.Buttons(past, future, _playing(sight), game.head.label)
+    session = sight.session
+    past, future = bool(session.history.past), bool(session.history.future)
+    return lanes.Buttons(past, future, _playing(sight), session.timeline.label)
 
 
 def key(sight: Sight) -> Hashable:
     """What the strip depends on."""
-    game = sight.game
+    session = sight.session
     if sight.mode == "aim":
-        return "aim", game.preview_key, sight.settings.aids, _buttons(sight)
-    return game.stamp, game.began, game.readout_time, _buttons(sight)
+        return "aim", session.preview_key, sight.settings.aids, _buttons(sight)
+    return session.stamp, session.began, session.readout_time, _buttons(sight)
 
 
 def draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     """Draw it: the preview of the next shot, or the last one with its handle."""
-    game, w, args = sight.game, sight.words, (surface, rect, sight.type)
+    session, w, args = sight.session, sight.words, (surface, rect, sight.type)
     if sight.mode == "aim":
-        seen = game.preview if sight.settings.aids == "full" else None
-        told = seen.story if seen else NO_STORY
-        label = w["preview"].format(time=number(told.duration, 1)) if seen else ""
-        return lanes.timeline(*args, _lanes(sight, told), told.duration, label, _buttons(sight))
-    told, now = game.forecast, game.readout_time
+        seen = session.preview if sight.settings.aids == "full" else None
+        found = seen.story if seen else NO_STORY
+        label = w["preview"].format(time=number(found.duration, 1)) if seen else ""
+        return lanes.timeline(*args, _lanes(sight, found), found.duration, label, _buttons(sight))
+    found, now = session.forecast, session.readout_time
     length = _length(sight)
     label = w["time"].format(now=number(now), all=number(length))
-    return lanes.timeline(*args, _lanes(sight, told), length, label, _buttons(sight), now)
+    return lanes.timeline(*args, _lanes(sight, found), length, label, _buttons(sight), now)
 
 
 def _length(sight: Sight) -> float:
-    game = sight.game
-    return max(game.forecast.duration, timeline.end(game) / TICKS, 1e-9)
+    session = sight.session
+    return max(session.forecast.duration, session.timeline.end / TICKS, 1e-9)
 
 
 def touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
@@ -77,13 +77,13 @@ def touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 
 
 def _actions(rect: pygame.Rect, sight: Sight) -> list[tuple[pygame.Rect, Action]]:
-    game, s = sight.game, sight.layout.s
+    session, s = sight.session, sight.layout.s
     if sight.mode == "after":
         play, back = Action("pause"), Action("home")
     else:
         play, back = Action("fire"), Action("retry")
     names = [Action("undo"), Action("redo"), back, play, Action("skip")]
-    if sight.mode == "aim" and not game.shots:
+    if sight.mode == "aim" and not session.shots:
         names[2] = Action("home")
     slower, faster = lanes.rate_halves(rect, s)
     pairs = list(zip(lanes.buttons(rect, s), names, strict=True))
@@ -95,13 +95,13 @@ def wheel(steps: int, sight: Sight) -> Action:
     return Action("back" if steps < 0 else "frame")
 
 
-def _lanes(sight: Sight, told: Story) -> list[lanes.Lane]:
-    game, colours = sight.game, sight.settings.colours
-    names = [name for name in (ball.name for ball in game.world.balls) if name in game.traced]
+def _lanes(sight: Sight, found: Story) -> list[lanes.Lane]:
+    session, colours = sight.session, sight.settings.colours
+    names = [name for name in (ball.name for ball in session.world.balls) if name in session.traced]
     result = []
     for place, name in enumerate(names):
-        own = [e for e in told.events if name in e.balls]
-        legs = next((lane.legs for lane in told.lanes if lane.name == name), ())
+        own = [e for e in found.events if name in e.balls]
+        legs = next((lane.legs for lane in found.lanes if lane.name == name), ())
         joins = (
             (e.time, names.index(other))
             for e in own
@@ -116,6 +116,6 @@ def _lanes(sight: Sight, told: Story) -> list[lanes.Lane]:
     return result
 
 
-def part(layout: Layout) -> Part:
+def part(layout: Layout) -> Panel:
     """The strip in the window."""
-    return Part("lanes", layout.timeline, key, draw, touch, True, spill=7, wheel=wheel)
+    return Panel("lanes", layout.timeline, key, draw, touch, True, spill=7, wheel=wheel)

@@ -8,8 +8,7 @@ from __future__ import annotations
 from math import atan2, hypot, radians
 from typing import NamedTuple
 
-from game.session.session import Game
-from game.session.timeline import moment
+from game.session.session import Session
 
 from . import marks
 from .drag_aim import pull
@@ -32,23 +31,23 @@ class Pose(NamedTuple):
     alpha: float
 
 
-def pose(game: Game, still: bool) -> Pose | None:
+def pose(session: Session, still: bool) -> Pose | None:
     """The cue as it is to be drawn, None while it is put away; `still` shows no stroke."""
-    if marks.aiming(game):
-        shot = None if game.arranging else game.aim.shot
+    if marks.aiming(session):
+        shot = None if session.arranging else session.aim.shot
         if shot is None:
             return None
-        at = game.world.ball(game.cue).position
+        at = session.world.ball(session.cue).position
         return Pose(at, radians(shot.angle), pull(shot.speed), 1.0)
-    if not (game.shown_shot and game.shots) or still:
+    if not (session.shown_shot and session.shots) or still:
         return None
-    return _stroke(game, moment(game) - game.began)
+    return _stroke(session, session.timeline.moment - session.began)
 
 
-def _stroke(game: Game, time: float) -> Pose | None:
+def _stroke(session: Session, time: float) -> Pose | None:
     if not 0.0 <= time < THROUGH + FADE:
         return None
-    struck = game.world.log.at(game.began)[game.shooter]
+    struck = session.world.log.at(session.began)[session.shooter]
     speed = hypot(*struck.velocity)
     if not speed:
         return None

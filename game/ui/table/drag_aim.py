@@ -15,7 +15,7 @@ from game.aim.edit import share, speed_at
 from game.input.key_tables import finer_step
 from game.render.table import cue_stick
 from game.session.action import Action
-from game.ui.panels.parts import Place, Sight
+from game.ui.sight import Place, Sight
 
 FINE = 0.1
 """Part of the mouse's turn that a fine drag takes over."""
@@ -41,16 +41,16 @@ def pull(speed: float) -> float:
 
 
 def _ball(sight: Sight) -> complex:
-    return complex(*sight.game.world.ball(sight.game.cue).position)
+    return complex(*sight.session.world.ball(sight.session.cue).position)
 
 
 def on_cue(at: complex, sight: Sight) -> bool:
     """Is a point of the table on the drawn cue?"""
-    game = sight.game
-    shot = game.aim.shot
+    session = sight.session
+    shot = session.aim.shot
     if shot is None or sight.mode != "aim":
         return False
-    own = game.world.ball(game.cue)
+    own = session.world.ball(session.cue)
     away = (_ball(sight) - at) * rect(1.0, -radians(shot.angle))
     start = own.radius + pull(shot.speed)
     reach = REACH * sight.layout.s / sight.layout.scale
@@ -85,11 +85,11 @@ def touch(where: Place, sight: Sight) -> Action | None:
 
 
 def _on_ball(at: complex, sight: Sight) -> bool:
-    return abs(at - _ball(sight)) <= sight.game.world.ball(sight.game.cue).radius
+    return abs(at - _ball(sight)) <= sight.session.world.ball(sight.session.cue).radius
 
 
 def _grip(kind: str, at: complex, sight: Sight) -> Grip:
-    aim = sight.game.aim
+    aim = sight.session.aim
     return Grip(kind, at, aim.angle or 0.0, share(aim.shot.speed) if aim.shot else 0.0)
 
 

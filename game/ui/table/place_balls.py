@@ -7,8 +7,8 @@ from math import dist
 import pygame
 
 from game.session.action import Action
-from game.session.session import Game
-from game.ui.panels.parts import Place, Sight
+from game.session.session import Session
+from game.ui.sight import Place, Sight
 
 REACH = 1.6
 """Radii from its centre within which a press takes a ball."""
@@ -25,9 +25,9 @@ DONE = (pygame.K_ESCAPE, pygame.K_RETURN, pygame.K_KP_ENTER)
 
 def touch(at: Place, sight: Sight) -> Action | None:
     """What a press on the cloth, or a drag from there, means while balls are placed."""
-    game, spot = sight.game, sight.layout.to_table(*at)
+    session, spot = sight.session, sight.layout.to_table(*at)
     if sight.pointer.pressing:
-        near = min(game.world.balls, key=lambda ball: dist(ball.position, spot))
+        near = min(session.world.balls, key=lambda ball: dist(ball.position, spot))
         if dist(near.position, spot) < REACH * near.radius:
             sight.pointer.grip = tuple(p - q for p, q in zip(near.position, spot, strict=True))
             return Action("hold", near.name)
@@ -38,17 +38,17 @@ def touch(at: Place, sight: Sight) -> Action | None:
     return Action("move", f"{spot[0] + off[0]:.5f} {spot[1] + off[1]:.5f}")
 
 
-def key(event: pygame.event.Event, game: Game) -> Action | None:
+def key(event: pygame.event.Event, session: Session) -> Action | None:
     """What a key means while balls are placed; None for one that means what it always does."""
     mod = getattr(event, "mod", 0)
     if event.key in DONE:
         return Action("arrange")
     if event.key == pygame.K_TAB:
-        names = [ball.name for ball in game.world.balls]
+        names = [ball.name for ball in session.world.balls]
         way = -1 if mod & pygame.KMOD_SHIFT else 1
-        return Action("hold", names[(names.index(game.held_ball) + way) % len(names)])
+        return Action("hold", names[(names.index(session.held_ball) + way) % len(names)])
     if event.key not in WAYS:
         return None
     size = FINE if mod & pygame.KMOD_SHIFT else STEP
-    (x, y), (dx, dy) = game.world.ball(game.held_ball).position, WAYS[event.key]
+    (x, y), (dx, dy) = session.world.ball(session.held_ball).position, WAYS[event.key]
     return Action("move", f"{x + size * dx!r} {y + size * dy!r}")

@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import pygame
 
-from game.aim.preview import Contact, Meeting, Place, Preview
+from game.aim.preview import FirstContact, Meeting, Place, Preview
 from game.render.layout import Layout
 from game.render.table import lines
 from game.render.theme import ERROR, WHITE, BallLook, Colour
-from game.session.session import Game
+from game.session.session import Session
 
 Rects = list[pygame.Rect]
 Points = list[tuple[float, float]]
@@ -31,14 +31,14 @@ class Seen(NamedTuple):
 
     surface: pygame.Surface
     layout: Layout
-    game: Game
+    session: Session
     looks: Sequence[BallLook]
     ink: Colour
 
     @property
     def radius(self) -> float:
         """Of the cue ball, px."""
-        return self.game.world.ball(self.game.cue).radius * self.layout.scale
+        return self.session.world.ball(self.session.cue).radius * self.layout.scale
 
     def first(self, seen: Preview) -> Rects:
         """Draw the way to the first ball, and where both leave to."""
@@ -82,8 +82,8 @@ class Seen(NamedTuple):
     def _others(self, seen: Preview) -> Rects:
         """Draw the other balls' paths: the beginning of the first ball's dashed, the rest thin."""
         s, rects, first = self.layout.s, [], seen.contact.ball if seen.contact else ""
-        touched = (m.balls for m in seen.meetings if self.game.cue in m.balls)
-        shown = {*self.game.traced, first}.union(*touched)
+        touched = (m.balls for m in seen.meetings if self.session.cue in m.balls)
+        shown = {*self.session.traced, first}.union(*touched)
         for name, way in seen.others.items():
             if name not in shown:
                 continue
@@ -102,18 +102,18 @@ class Seen(NamedTuple):
 
     def _meeting(self, meeting: Meeting, *, foul: bool) -> Rects:
         """Mark balls that meet after the first contact; where the cue ball is one, its ghost."""
-        s, cue, balls = self.layout.s, self.game.cue, meeting.balls
+        s, cue, balls = self.layout.s, self.session.cue, meeting.balls
         at = [self.layout.to_screen(*place) for place in meeting.places]
         middle = ((at[0][0] + at[1][0]) / 2, (at[0][1] + at[1][1]) / 2)
         if cue not in balls:
-            known = {*balls} <= {*self.game.traced}
+            known = {*balls} <= {*self.session.traced}
             return [lines.collision(self.surface, middle, 0.8 * s, 0.5)] if known else []
         own = balls.index(cue)
         ring = lines.ring(self.surface, at[own], self.radius, self.ink, 1.4 * s, 0.55)
         rects = [ring, lines.collision(self.surface, middle, s, 0.9)]
         return rects + ([self._blame(meeting.places[1 - own])] if foul else [])
 
-    def _contact(self, contact: Contact, *, foul: bool = False) -> Rects:
+    def _contact(self, contact: FirstContact, *, foul: bool = False) -> Rects:
         """Draw the ghost and where both balls leave to."""
         s, surface, to_screen = self.layout.s, self.surface, self.layout.to_screen
         rects = [lines.ghost(surface, to_screen(*contact.ghost), self.radius, s)]
@@ -131,7 +131,7 @@ class Seen(NamedTuple):
         return lines.ring(self.surface, at, 1.3 * self.radius, ERROR, 2.0 * s, 0.95)
 
     def _ink(self, name: str) -> Colour:
-        return self.looks[index(self.game, name)].ui
+        return self.looks[index(self.session, name)].ui
 
 
 def on_screen(layout: Layout, points: Sequence[Place]) -> Points:
@@ -142,9 +142,9 @@ def on_screen(layout: Layout, points: Sequence[Place]) -> Points:
     return lines.decimated(path) if len(path) > FEW else path
 
 
-def index(game: Game, name: str) -> int:
+def index(session: Session, name: str) -> int:
     """The place of a ball among the balls."""
-    return [ball.name for ball in game.world.balls].index(name)
+    return [ball.name for ball in session.world.balls].index(name)
 
 
 def _clear(points: Points, gap: float) -> Points:

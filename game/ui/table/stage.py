@@ -13,14 +13,13 @@ from game.render.table import cue_stick, lines
 from game.render.table.background import background
 from game.render.table.balls import BallSprites
 from game.render.table.fan import Fan
-from game.session.session import Game
-from game.session.timeline import moment, runs
+from game.session.session import Session
 from game.settings.settings import Settings
 
 from . import marks
-from .ball_turns import Turns
 from .cue_pose import Pose, pose
 from .looks import look
+from .orientations import Orientations
 from .trail import Trail
 
 SHADOW = 2.3
@@ -40,54 +39,54 @@ class Stage:
     """
 
     def __init__(
-        self, layout: Layout, game: Game, settings: Settings, spread: Spread | None = None
+        self, layout: Layout, session: Session, settings: Settings, spread: Spread | None = None
     ) -> None:
-        self.layout, self.radius = layout, game.world.balls[0].radius
+        self.layout, self.radius = layout, session.world.balls[0].radius
         self.base = background(layout)
         self.lines = self.base.copy()
         self.settings = settings
-        names = enumerate(ball.name for ball in game.world.balls)
+        names = enumerate(ball.name for ball in session.world.balls)
         self.looks = [look(name, i, settings.colours) for i, name in names]
         self.sprites = BallSprites(layout, self.looks, self.radius)
-        self.trail, self.turns = Trail(), Turns(self.sprites)
+        self.trail, self.orientations = Trail(), Orientations(self.sprites)
         self.spread, self.fan = spread or Spread(), Fan(layout)
-        self._time, self._shown = game.world.time, (game.began, game.head.at)
+        self._time, self._shown = session.world.time, (session.began, session.timeline.at)
         self._under: object = None
         self._marked: list[pygame.Rect] = []
         self._balls: list[tuple[object, pygame.Rect]] = [(None, NOTHING)] * len(self.looks)
         self._cue: tuple[object, pygame.Rect] = (None, NOTHING)
         self._reach = ceil(SHADOW * self.sprites.px) + 3
 
-    def follow(self, game: Game) -> None:
+    def follow(self, session: Session) -> None:
         """Turn the balls as they have rolled since the last time, and let their trails grow."""
-        before, self._time = self._time, game.world.time
-        shown, self._shown = self._shown, (game.began, game.head.at)
-        new = self.turns.begin(game)
-        since = game.world.time - (game.began if new else before)
-        if game.head.at is not None or (shown != self._shown and not new) or since > LEAP:
-            if game.shown_shot:
-                self.turns.show(game, moment(game) - game.began)
+        before, self._time = self._time, session.world.time
+        shown, self._shown = self._shown, (session.began, session.timeline.at)
+        new = self.orientations.begin(session)
+        since = session.world.time - (session.began if new else before)
+        if session.timeline.at is not None or (shown != self._shown and not new) or since > LEAP:
+            if session.shown_shot:
+                self.orientations.show(session, session.timeline.moment - session.began)
         elif since > 0.0:
-            for index, ball in enumerate(game.world.balls):
+            for index, ball in enumerate(session.world.balls):
                 if any(ball.spin):
-                    self.sprites.turn(index, ball.spin, since)
-        if runs(game):
-            self.trail.grow(game)
+                    self.sprites.rotate(index, ball.spin, since)
+        if session.timeline.runs:
+            self.trail.grow(session)
 
     def take_over(self, other: Stage) -> None:
         """Go on where the stage of another size has been."""
         for i in range(len(self.looks)):
             self.sprites.orient(i, other.sprites.orientation(i))
-        self.trail, self.turns = other.trail, other.turns.on(self.sprites)
+        self.trail, self.orientations = other.trail, other.orientations.on(self.sprites)
         self._time, self._shown = other._time, other._shown
 
-    def draw(self, surface: pygame.Surface, game: Game) -> list[pygame.Rect]:
+    def draw(self, surface: pygame.Surface, session: Session) -> list[pygame.Rect]:
         """Bring the table up to date; returns the rectangles that changed."""
-        dirty = self._draw_lines(game)
-        seen = game.seen
-        places = [(i, seen[ball.name].position) for i, ball in enumerate(game.world.balls)]
+        dirty = self._draw_lines(session)
+        seen = session.seen
+        places = [(i, seen[ball.name].position) for i, ball in enumerate(session.world.balls)]
         dirty += self._moved(places)
-        stroke = pose(game, self.settings.still)
+        stroke = pose(session, self.settings.still)
         if stroke != self._cue[0]:
             dirty += [self._cue[1], self._cue_room(stroke)]
             self._cue = (stroke, dirty[-1])
@@ -96,8 +95,8 @@ class Stage:
             self._compose(surface, rect, places, stroke)
         return area
 
-    def everything(self, surface: pygame.Surface, game: Game) -> None:
-        """Draw the whole window's background and table anew."""
+    def everything(self, surface: pygame.Surface, session: Session) -> None:
+        """Draw the whole window's background and table again."""
         self._under = None
         self.trail.undrawn()
         self._balls = [(None, NOTHING)] * len(self.looks)
@@ -105,14 +104,14 @@ class Stage:
         self.lines.blit(self.base, (0, 0))
         self._marked = []
         surface.blit(self.base, (0, 0))
-        self.draw(surface, game)
+        self.draw(surface, session)
 
-    def _draw_lines(self, game: Game) -> list[pygame.Rect]:
+    def _draw_lines(self, session: Session) -> list[pygame.Rect]:
         """Redraw what lies under the balls if it is not what it was."""
         aids = self.settings.aids
-        key = marks.key(game, aids), self._fanned(game)
+        key = marks.key(session, aids), self._fanned(session)
         if key == self._under:
-            grown = self.trail.draw(self.lines, self.layout, game, self.looks)
+            grown = self.trail.draw(self.lines, self.layout, session, self.looks)
             self._marked += grown
             return grown
         self._under = key
@@ -120,11 +119,11 @@ class Stage:
         for rect in _merged(old):
             self.lines.blit(self.base, rect, rect)
         self.lines.set_clip(self.layout.table)
-        fan = self._draw_fan(game)
-        self._marked = fan + marks.draw(self.lines, self.layout, game, self.looks, aids)
+        fan = self._draw_fan(session)
+        self._marked = fan + marks.draw(self.lines, self.layout, session, self.looks, aids)
         self.lines.set_clip(None)
         self.trail.undrawn()
-        self._marked += self.trail.draw(self.lines, self.layout, game, self.looks)
+        self._marked += self.trail.draw(self.lines, self.layout, session, self.looks)
         return old + self._marked
 
     def _moved(self, places: list[tuple[int, Place]]) -> list[pygame.Rect]:
@@ -145,13 +144,13 @@ class Stage:
         side = 2 * self._reach
         return pygame.Rect(int(x) - self._reach, int(y) - self._reach, side, side)
 
-    def _fanned(self, game: Game) -> int:
+    def _fanned(self, session: Session) -> int:
         """How many samples of the spread are on show: none, the first ones, or all of them."""
-        count = len(self.spread.samples) if marks.aiming(game) else 0
+        count = len(self.spread.samples) if marks.aiming(session) else 0
         return count if count == SAMPLES else FIRST if count >= FIRST else 0
 
-    def _draw_fan(self, game: Game) -> list[pygame.Rect]:
-        count = self._fanned(game)
+    def _draw_fan(self, session: Session) -> list[pygame.Rect]:
+        count = self._fanned(session)
         if not count:
             return []
         self.fan.clear()

@@ -9,8 +9,7 @@ import pygame
 
 from game.render.layout import Layout
 from game.render.theme import BallLook, Colour
-from game.session.session import Game
-from game.session.timeline import known, passed, runs
+from game.session.session import Session
 
 STEP = 0.015
 """Metres between two points: about half a ball, so that a fast frame draws one piece."""
@@ -25,31 +24,31 @@ class Trail:
         self._points: dict[int, list[Place]] = {}
         self._drawn: dict[int, int] = {}
 
-    def grow(self, game: Game) -> None:
+    def grow(self, session: Session) -> None:
         """Take in where the balls are now."""
-        self._follow(game)
-        seen = game.seen
+        self._follow(session)
+        seen = session.seen
         for i, points in self._points.items():
-            at = seen[game.world.balls[i].name].position
+            at = seen[session.world.balls[i].name].position
             if hypot(at[0] - points[-1][0], at[1] - points[-1][1]) >= STEP:
                 points.append(at)
 
-    def _follow(self, game: Game) -> None:
-        """Begin anew after an event, a shot or a stop."""
-        since = game.stamp, game.began, passed(game), runs(game)
+    def _follow(self, session: Session) -> None:
+        """Begin again after an event, a shot or a stop."""
+        since = session.stamp, session.began, session.timeline.passed, session.timeline.runs
         if since != self._since:
             self._since, self._drawn = since, {}
-            self._points = {i: [at] for i, at in _last_places(game).items()}
+            self._points = {i: [at] for i, at in _last_places(session).items()}
 
     def undrawn(self) -> None:
         """Forget what has been drawn: the surface is new."""
         self._drawn = {}
 
     def draw(
-        self, surface: pygame.Surface, layout: Layout, game: Game, looks: Sequence[BallLook]
+        self, surface: pygame.Surface, layout: Layout, session: Session, looks: Sequence[BallLook]
     ) -> list[pygame.Rect]:
         """Draw what has grown since the last time; returns the rectangles that changed."""
-        self._follow(game)
+        self._follow(session)
         dirty = []
         for i, points in self._points.items():
             for k in range(self._drawn.get(i, 1), len(points)):
@@ -74,10 +73,10 @@ def _stroke(
     return dirty.clip(surface.get_rect())
 
 
-def _last_places(game: Game) -> dict[int, Place]:
+def _last_places(session: Session) -> dict[int, Place]:
     """Where the balls that leave a trace were at the last event, or when the shot began."""
-    if not runs(game):
+    if not session.timeline.runs:
         return {}
-    states = game.world.log.at(known(game))
-    names = enumerate(ball.name for ball in game.world.balls)
-    return {i: states[name].position for i, name in names if name in game.traced}
+    states = session.world.log.at(session.timeline.traced)
+    names = enumerate(ball.name for ball in session.world.balls)
+    return {i: states[name].position for i, name in names if name in session.traced}

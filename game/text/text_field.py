@@ -10,10 +10,12 @@ END = 1 << 30
 
 @dataclass(slots=True)
 class TextField:
-    """A text of at most `longest` characters; at first all of it is selected.
+    """A text that is being edited; at first all of it is selected, and replaced by what is typed.
 
-    `caret` and `anchor` are places between characters, from 0 to the length; what lies between
-    them is selected, and replaced by what is typed.
+    text     what it says now
+    longest  characters it takes
+    caret    place between characters, from 0 to the length
+    anchor   such a place too: what lies between it and the caret is selected
     """
 
     text: str = ""

@@ -15,7 +15,7 @@ RACKED: Quaternion = (0.912, 0.350, -0.078, 0.202)
 """Dots at 42, 53 and 74 degrees from the viewer: none looks out like an eye, no two are level."""
 
 
-def turned(q: Quaternion, spin: tuple[float, float, float], dt: float) -> Quaternion:
+def rotated(q: Quaternion, spin: tuple[float, float, float], dt: float) -> Quaternion:
     """Return `q` after turning about the table's axes with `spin` (rad/s) for `dt` seconds."""
     x, y, z = spin
     rate = hypot(x, y, z)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from game.render.table.balls import BallSprites
-from game.render.table.turning import Quaternion, turned
-from game.session.session import Game
+from game.render.table.rotation import Quaternion, rotated
+from game.session.session import Session
 
 STEP = 1 / 60
 """Seconds between the moments that are kept; from there it is a single turn."""
 
 
-class Turns:
+class Orientations:
     """The orientations since a shot began, worked out from its log as far as they are asked for."""
 
     def __init__(self, sprites: BallSprites) -> None:
@@ -18,14 +18,14 @@ class Turns:
         self._shot: object = None
         self._kept: list[list[Quaternion]] = []
 
-    def on(self, sprites: BallSprites) -> Turns:
+    def on(self, sprites: BallSprites) -> Orientations:
         """The same turns for sprites of another size."""
         self._sprites = sprites
         return self
 
-    def begin(self, game: Game) -> bool:
+    def begin(self, session: Session) -> bool:
         """Take the balls as they lie for the beginning of a new shot; returns whether it is one."""
-        shot = game.began, game.shots
+        shot = session.began, session.shots
         if shot == self._shot:
             return False
         self._shot = shot
@@ -33,20 +33,20 @@ class Turns:
         self._kept = [[self._sprites.orientation(i) for i in range(count)]]
         return True
 
-    def show(self, game: Game, time: float) -> None:
+    def show(self, session: Session, time: float) -> None:
         """Turn the balls as they were `time` seconds after the shot began."""
-        index, names = max(0, int(time / STEP)), [ball.name for ball in game.world.balls]
+        index, names = max(0, int(time / STEP)), [ball.name for ball in session.world.balls]
         while len(self._kept) <= index:
             step = len(self._kept) - 1
-            self._kept.append(self._after(game, names, step, STEP))
+            self._kept.append(self._after(session, names, step, STEP))
         rest = time - index * STEP
-        for i, turn in enumerate(self._after(game, names, index, rest)):
+        for i, turn in enumerate(self._after(session, names, index, rest)):
             self._sprites.orient(i, turn)
 
-    def _after(self, game: Game, names: list[str], step: int, dt: float) -> list[Quaternion]:
+    def _after(self, session: Session, names: list[str], step: int, dt: float) -> list[Quaternion]:
         """The orientations `dt` seconds after a kept moment."""
-        middle = game.world.log.at(game.began + step * STEP + dt / 2)
+        middle = session.world.log.at(session.began + step * STEP + dt / 2)
         return [
-            turned(turn, middle[name].spin, dt)
+            rotated(turn, middle[name].spin, dt)
             for name, turn in zip(names, self._kept[step], strict=True)
         ]

@@ -1,0 +1,198 @@
+"""The layers that an input event goes down: each answers with what it means, or passes it on.
+
+From the top: a record that is watched, the question, the page over the table, the page of keys,
+placing balls, the box that is edited, and the table with what is around it.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Protocol
+
+import pygame
+
+from game.input import editing
+from game.input.key_tables import of_key, of_text
+from game.session.action import Action
+
+from .panels import prompts
+from .table import place_balls
+from .view import View
+
+MOUSE = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
+INPUT = (pygame.KEYDOWN, pygame.TEXTINPUT, pygame.MOUSEWHEEL, *MOUSE)
+"""The events that go down the layers."""
+
+
+class Answer(NamedTuple):
+    """What an event means to the layer that takes it.
+
+    actions  to be done, one after the other
+    held     what its key may go on doing while it is held
+    redraw   has something changed that only the picture depends on?
+    sure     has the player been asked already?
+    """
+
+    actions: tuple[Action, ...] = ()
+    held: Action | None = None
+    redraw: bool = False
+    sure: bool = False
+
+
+def answer(action: Action | None, *, held: Action | None = None, redraw: bool = False) -> Answer:
+    """An answer of one action, or of none."""
+    return Answer(() if action is None else (action,), held, redraw)
+
+
+class Layer(Protocol):
+    """Something that takes events."""
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Return what an event of INPUT means, or None to pass it on.
+
+        `texts` says that a TEXTINPUT follows for each character that a KEYDOWN gives.
+        """
+        ...
+
+
+class QuestionLayer:
+    """The question, whatever it lies over."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Say what was asked about, or close the page that held nothing but the question."""
+        view, asked = self.view, self.view.question
+        alone = view.session.page == "ask"
+        if asked is None and not alone:
+            return None
+        action = view.answer(event)
+        closing = (Action("sheet", ""),) if alone and view.question is None else ()
+        if action is not None:
+            view.expose()  # what it changes shows behind the page too
+        sure = asked is not None and action == asked.action
+        return Answer((*closing, *answer(action).actions), _edits(event), True, sure)
+
+
+class PageLayer:
+    """The page over the table."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Let the page take it, if there is one."""
+        if not self.view.session.page:
+            return None
+        action = self.view.page.handle(event, self.view.sight)
+        if action is not None:
+            self.view.expose()  # what it changes shows behind the page too
+        return answer(action, held=_edits(event), redraw=True)
+
+
+def _edits(event: pygame.event.Event) -> Action | None:
+    """What a key does in a field of text."""
+    return editing.of_key(event) if event.type == pygame.KEYDOWN else None
+
+
+class KeysLayer:
+    """The page of keys: a few keys and a click close it, nothing else gets through."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Close it, or change its language."""
+        if not self.view.session.help:
+            return None
+        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+            return answer(Action("help"))
+        if event.type != pygame.KEYDOWN:
+            return Answer()
+        always = self.view.preferences.keys.always.get(event.key)
+        if event.key in place_balls.DONE or always == Action("help"):
+            return answer(Action("help"))
+        return answer(always if always == Action("language") else None)
+
+
+class PlacingLayer:
+    """Balls that are placed by hand: a few keys move them."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Move a ball, or take another one."""
+        if event.type != pygame.KEYDOWN or not self.view.session.arranging:
+            return None
+        action = place_balls.key(event, self.view.session)
+        return None if action is None else answer(action)
+
+
+class BoxLayer:
+    """The box that is edited: keys and characters go into it."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Edit the text of the box, or go to another one."""
+        aim, keys = self.view.session.aim, self.view.preferences.keys
+        if aim.edited is None:
+            return None
+        if event.type == pygame.TEXTINPUT:
+            return answer(of_text(event, aim.box))
+        if event.type != pygame.KEYDOWN:
+            return None
+        action = of_key(event, aim.box, texts, keys.play, keys.always)
+        if event.key not in keys.always:
+            action = editing.with_clipboard(editing.of_key(event), aim.edited) or action
+        return answer(action, held=action)
+
+
+class TableLayer:
+    """The table and the panels around it, which take what nothing above them has taken."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Return what a shortcut, a digit or the mouse means."""
+        view = self.view
+        match event.type:
+            case pygame.KEYDOWN:
+                return self._key(event, texts)
+            case pygame.TEXTINPUT:
+                return answer(of_text(event, None))
+            case pygame.MOUSEMOTION:
+                changed = view.hover(event.pos)
+                return answer(view.drag(event.pos), redraw=changed)
+            case pygame.MOUSEBUTTONDOWN if event.button == 1:
+                return answer(view.press(event.pos), redraw=True)
+            case pygame.MOUSEBUTTONUP if event.button == 1:
+                return Answer(redraw=True)
+            case pygame.MOUSEWHEEL:
+                return answer(view.wheel(event.y))
+        return None
+
+    def _key(self, event: pygame.event.Event, texts: bool) -> Answer:
+        keys = self.view.preferences.keys
+        action = of_key(event, None, texts, keys.play, keys.always)
+        if action == Action("shoot"):
+            action = prompts.entered(self.view.session)
+        return answer(action, held=action)
+
+
+class Layers:
+    """All of them, from the top; `first` lie above those of every game."""
+
+    def __init__(self, view: View, *first: Layer) -> None:
+        self.stack: tuple[Layer, ...] = (
+            *first, QuestionLayer(view), PageLayer(view), KeysLayer(view), PlacingLayer(view),
+            BoxLayer(view), TableLayer(view),
+        )  # fmt: skip
+
+    def ask(self, event: pygame.event.Event, texts: bool) -> Answer:
+        """Return what the first layer says that does not pass an event of INPUT on."""
+        answers = (layer.answer(event, texts) for layer in self.stack)
+        return next((found for found in answers if found is not None), Answer())
