@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from math import inf
 
 from .state import FRESH, GameState, Option, Question
-from .stroke import TIE, Event, Stroke, stroke
+from .stroke import TIE, Logged, Stroke, stroke
 from .verdict import FEW_CUSHIONS, NO_BALL, OFF_TABLE, ONE_BALL, SAME_INSTANT, Turn, Verdict, facts
 
 CANNON, BANK = "cannon", "bank_cannon"
@@ -67,7 +67,7 @@ class Carom:
     def needs(self, turn: Turn) -> int:
         return self.cushions
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return self.judge(stroke(log, turn.cue), turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from .state import FRESH, GameState
-from .stroke import Event, Stroke, stroke
+from .stroke import Logged, Stroke, stroke
 from .verdict import Turn, Verdict, facts
 
 FREE = "free"
@@ -39,7 +39,7 @@ class Free:
     def settles(self, verdict: Verdict) -> bool:
         return False
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return self.judge(stroke(log, turn.cue), turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import ClassVar, TypeVar
 
 from .state import BREAK, HEAD, GameState
-from .stroke import Event, Stroke, stroke
+from .stroke import Logged, Stroke, stroke
 from .verdict import Turn, Verdict
 
 T = TypeVar("T")
@@ -36,7 +36,7 @@ class Pocketed:
     def settles(self, verdict: Verdict) -> bool:
         return False
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return self.judge(stroke(log, turn.cue), turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:

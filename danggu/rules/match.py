@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from .state import FRESH, NO_CALL, Call, GameState, Question
-from .stroke import Event, Stroke
+from .stroke import Logged, Stroke
 from .verdict import Rules, Turn, Verdict
 
 
@@ -182,7 +182,7 @@ class Match:
 
     # -- the stroke ----------------------------------------------------------------------------
 
-    def judged(self, log: Iterable[Event]) -> Verdict:
+    def judged(self, log: Iterable[Logged]) -> Verdict:
         """The verdict on the log of the coming stroke."""
         return self.rules.verdict(log, self.turn)
 

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from .state import FRESH, GameState
-from .stroke import Event, Stroke, stroke
+from .stroke import Logged, Stroke, stroke
 from .verdict import FEW_CUSHIONS, OFF_TABLE, SAME_INSTANT, Facts, Turn, Verdict, facts
 
 NONE, LAST_POINT_3C, EXTRA_3C = "none", "last_point_3c", "extra_3c"
@@ -63,7 +63,7 @@ class Sagu:
         closing = turn.target is not None and last is not None and turn.reached(last)
         return 3 if closing else 0
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return self.judge(stroke(log, turn.cue), turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:

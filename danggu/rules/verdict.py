@@ -8,7 +8,7 @@ from math import inf
 from typing import Protocol
 
 from .state import FRESH, NO_CALL, Call, GameState, Question
-from .stroke import Event, Stroke
+from .stroke import Logged, Stroke
 
 # Reasons that every game shares; each is a key of the texts, as all reasons are.
 OFF_TABLE = "off_table"
@@ -130,7 +130,7 @@ class Rules(Protocol):
         """How many cushions this stroke must meet before its last ball."""
         ...
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         """The verdict on a stroke, given the log of its events alone, in order of time."""
         ...
 

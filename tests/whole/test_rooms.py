@@ -52,7 +52,7 @@ def test_what_stands_around_the_packages_names_nothing_above_itself(path):
     assert {name for name in needed(path, NAMES) if place(name) > place(dotted(path))} == set()
 
 
-@pytest.mark.parametrize("package", ["physics", "danggu", "benchmarks", "tests"])
+@pytest.mark.parametrize("package", ["physics", "danggu", "game", "benchmarks", "tests"])
 def test_no_module_leads_back_to_itself_not_even_for_types_or_in_a_function(package):
     graph = {dotted(p): needed(p, NAMES) for p in EVERY if p.is_relative_to(ROOT / package)}
     assert list(circles(graph)) == []

@@ -18,7 +18,6 @@ ROOMS = ("physics", "danggu", "benchmarks", "tools", "tests/support")
 SOURCES = sorted(path for room in ROOMS for path in (ROOT / room).rglob("*.py"))
 # name: why it may stand for two things
 TWICE = {
-    "Event": "what rules read of an event is a part of physics' own, said as a protocol",
     "laws": "the kernel's have the equations, the public ones their coefficients; both are laws",
 }
 
