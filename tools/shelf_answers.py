@@ -13,7 +13,7 @@ from danggu.players.positions import SAGU, SHELF, THREE_CUSHION, Position, openi
 from danggu.rules.carom import Carom
 from danggu.rules.match import Match, Player
 from danggu.rules.sagu import Sagu
-from danggu.rules.stroke import Event
+from danggu.rules.stroke import Logged
 from danggu.rules.verdict import Rules, Turn, Verdict
 from physics import Ball, World, tables
 
@@ -36,7 +36,7 @@ class OneWay:
     def needs(self, turn: Turn) -> int:
         return self.rules.needs(turn)
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         verdict = self.rules.verdict(log, turn)
         if verdict.facts.path == self.way:
             return verdict

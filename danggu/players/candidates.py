@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import asin, atan2, cos, degrees, dist, exp, log, sin, sqrt, tau
 from random import Random
 
-from .levels import Aim
+from .levels import Attempt
 
 Place = tuple[float, float]
 
@@ -30,7 +30,7 @@ CUSHIONS = Style(1.8, 6.5, 0.45, 0.25)
 
 def aims(
     cue: Place, targets: Sequence[Place], radius: float, style: Style, rng: Random
-) -> Iterator[Aim]:
+) -> Iterator[Attempt]:
     """Aims from the ball at `cue` without end: at any thickness of a target, or anywhere.
 
     Places in m; equal balls of `radius` m.
@@ -42,7 +42,7 @@ def aims(
             angle = _cut(cue, rng.choice(targets), 2 * radius, rng)
         speed = exp(rng.uniform(log(style.slow), log(style.fast)))
         out, turn = style.tip * sqrt(rng.random()), tau * rng.random()
-        yield Aim(angle, speed, out * cos(turn), out * sin(turn))
+        yield Attempt(angle, speed, out * cos(turn), out * sin(turn))
 
 
 def _cut(cue: Place, target: Place, reach: float, rng: Random) -> float:

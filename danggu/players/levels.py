@@ -14,7 +14,7 @@ SLOWEST = 0.05  # m/s: an error never turns a stroke into none
 
 
 @dataclass(frozen=True, slots=True)
-class Aim:
+class Attempt:
     """A level stroke: direction in degrees, speed of the ball in m/s, and where the tip meets it.
 
     right, up: offset of the tip from the centre in radii of the ball, seen from behind.
@@ -30,12 +30,12 @@ class Aim:
         turn = 2.5 * self.speed
         return Shot(self.speed, self.angle, follow=turn * self.up, side=turn * self.right)
 
-    def within(self, limit: float) -> Aim:
+    def within(self, limit: float) -> Attempt:
         """The same with the tip no farther out than `limit` radii."""
         out = hypot(self.right, self.up)
         if out <= limit:
             return self
-        return Aim(self.angle, self.speed, self.right * limit / out, self.up * limit / out)
+        return Attempt(self.angle, self.speed, self.right * limit / out, self.up * limit / out)
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,10 +52,10 @@ class Level:
     speed: float
     tip: float
 
-    def missed(self, aim: Aim, rng: Random, radius: float) -> Aim:
+    def missed(self, aim: Attempt, rng: Random, radius: float) -> Attempt:
         """The aim as this level carries it out on a ball of `radius` m; four draws of `rng`."""
         tip = 1e-3 * self.tip / radius
-        return Aim(
+        return Attempt(
             aim.angle + rng.gauss(0.0, self.angle),
             max(SLOWEST, aim.speed * (1.0 + rng.gauss(0.0, self.speed))),
             aim.right + rng.gauss(0.0, tip),

@@ -12,7 +12,7 @@ from danggu.rules.verdict import NO_BALL, Verdict
 from physics import Shot, World, simulate
 
 from .candidates import CUSHIONS, DIRECT, aims
-from .levels import Aim, Level
+from .levels import Attempt, Level
 
 EFFORT = 4000  # aims tried at most before it plays the best it has
 ENOUGH = 60  # scoring aims after which it stops looking and starts comparing
@@ -34,7 +34,7 @@ class Intent:
     tried    simulations up to now
     """
 
-    aim: Aim
+    aim: Attempt
     verdict: Verdict | None = None
     share: float = 0.0
     copies: int = 0
@@ -50,11 +50,11 @@ class Intent:
 class Contender:
     """An aim, what it gives as it is meant, and how copies of it with an error have done."""
 
-    aim: Aim
+    aim: Attempt
     verdict: Verdict
     copies: int = 0
     gain: int = 0
-    made: list[Aim] = field(default_factory=list)
+    made: list[Attempt] = field(default_factory=list)
 
     @property
     def worth(self) -> float:
@@ -67,10 +67,10 @@ class Contender:
         facts = self.verdict.facts
         return not self.verdict.foul, len(facts.hits), facts.cushions
 
-    def centre(self) -> Aim:
+    def centre(self) -> Attempt:
         """The middle of the copies that scored: farther from where it fails than the aim itself."""
         n = len(self.made)
-        return Aim(
+        return Attempt(
             sum(aim.angle for aim in self.made) / n,
             sum(aim.speed for aim in self.made) / n,
             sum(aim.right for aim in self.made) / n,
@@ -186,7 +186,7 @@ class Opponent:
         share = len(one.made) / one.copies if one.copies else 0.0
         self.intent = Intent(one.aim, one.verdict, share, one.copies, self.tried)
 
-    def _outcome(self, aim: Aim) -> Verdict:
+    def _outcome(self, aim: Attempt) -> Verdict:
         self.tried += 1
         try:
             after = simulate(self._world, self._turn.cue, aim.shot())

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from math import inf
 
-from .stroke import TIE, Event, Stroke, stroke
+from .stroke import TIE, Logged, Stroke, stroke
 from .verdict import FEW_CUSHIONS, NO_BALL, OFF_TABLE, ONE_BALL, SAME_INSTANT, Turn, Verdict, facts
 
 CANNON, BANK = "cannon", "bank_cannon"
@@ -54,7 +54,7 @@ class Carom:
     def needs(self, turn: Turn) -> int:
         return self.cushions
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         done = stroke(log, turn.cue)
         hits = done.hits()
         if done.off:

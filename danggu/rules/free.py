@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .stroke import Event, stroke
+from .stroke import Logged, stroke
 from .verdict import Turn, Verdict, facts
 
 FREE = "free"
@@ -31,5 +31,5 @@ class Free:
     def settles(self, verdict: Verdict) -> bool:
         return False
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return Verdict(FREE, passes=False, facts=facts(stroke(log, turn.cue)))

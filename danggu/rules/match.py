@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from .stroke import Event
+from .stroke import Logged
 from .verdict import Rules, Turn, Verdict
 
 
@@ -115,7 +115,7 @@ class Match:
         target = self.players[index].target
         return None if target is None else max(target - self.sheets[index].score, 0)
 
-    def judged(self, log: Iterable[Event]) -> Verdict:
+    def judged(self, log: Iterable[Logged]) -> Verdict:
         """The verdict on the log of the coming stroke."""
         return self.rules.verdict(log, self.turn)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .stroke import Event, Stroke, stroke
+from .stroke import Logged, Stroke, stroke
 from .verdict import FEW_CUSHIONS, OFF_TABLE, SAME_INSTANT, Facts, Turn, Verdict, facts
 
 NONE, LAST_POINT_3C, EXTRA_3C = "none", "last_point_3c", "extra_3c"
@@ -57,7 +57,7 @@ class Sagu:
         closing = turn.target is not None and last is not None and turn.reached(last)
         return 3 if closing else 0
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         done = stroke(log, turn.cue)
         hits = done.hits()
         opponent = min((hits[cue] for cue in self.cues if cue in hits), default=None)

@@ -19,7 +19,7 @@ LEFT = 1e-3
 BALL, CUSHION, OFF = "ball", "cushion", "off"
 
 
-class Event(Protocol):
+class Logged(Protocol):
     """The part of a log entry that rules may read.
 
     `kind` is "ball", "cushion" or "off" (a ball has left the table); any other kind is ignored.
@@ -40,7 +40,7 @@ class Event(Protocol):
         ...
 
 
-def counts(event: Event) -> bool:
+def counts(event: Logged) -> bool:
     """Whether it is a contact of its own, and not one with a cushion that has not been left."""
     # entries written by hand may not say how far the ball had been: it came from afar
     return getattr(event, "away", inf) > LEFT
@@ -87,7 +87,7 @@ class Stroke:
         return tuple(touch.what for touch in self.touches if touch.time <= until + TIE)
 
 
-def stroke(log: Iterable[Event], cue: str) -> Stroke:
+def stroke(log: Iterable[Logged], cue: str) -> Stroke:
     """The log of one stroke, in order of time, seen from the ball named `cue`."""
     touches: list[Touch] = []
     off: list[str] = []

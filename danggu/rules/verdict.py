@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import inf
 from typing import Protocol
 
-from .stroke import Event, Stroke
+from .stroke import Logged, Stroke
 
 # Reasons that every game shares; each is a key of the texts, as all reasons are.
 OFF_TABLE = "off_table"
@@ -88,7 +88,7 @@ class Rules(Protocol):
         """The cushions that this stroke has to meet before its last ball."""
         ...
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         """What the stroke was worth: `log` holds its events alone, in order of time."""
         ...
 

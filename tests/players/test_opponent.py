@@ -8,7 +8,17 @@ from statistics import fmean, pstdev
 
 import pytest
 
-from danggu.players.levels import CLUB, EXPERT, LEVELS, MASTER, MISCUE, NOVICE, PERFECT, Aim, Level
+from danggu.players.levels import (
+    CLUB,
+    EXPERT,
+    LEVELS,
+    MASTER,
+    MISCUE,
+    NOVICE,
+    PERFECT,
+    Attempt,
+    Level,
+)
 from danggu.players.opponent import FRESH, Intent, Opponent
 from danggu.players.positions import SAGU, SHELF, Position, opening
 from danggu.rules.carom import Carom
@@ -169,7 +179,7 @@ def test_levels_are_named_and_ordered_from_the_largest_error_to_none() -> None:
 
 
 def test_errors_have_the_stated_deviations() -> None:
-    rng, aim = Random(5), Aim(30.0, 2.0, 0.1, -0.1)
+    rng, aim = Random(5), Attempt(30.0, 2.0, 0.1, -0.1)
     missed = [CLUB.missed(aim, rng, RADIUS) for _ in range(4000)]
     # 4000 draws give a deviation to 1/sqrt(8000) = 1.1 %; four of those
     assert pstdev(m.angle for m in missed) == pytest.approx(CLUB.angle, rel=0.045)
@@ -182,11 +192,11 @@ def test_an_error_never_makes_a_miscue_or_a_stroke_without_speed() -> None:
     wild = Level("wild", 9.0, 3.0, 40.0)
     rng = Random(1)
     for _ in range(500):
-        aim = wild.missed(Aim(0.0, 1.0, 0.4, 0.2), rng, RADIUS)
+        aim = wild.missed(Attempt(0.0, 1.0, 0.4, 0.2), rng, RADIUS)
         assert (aim.right**2 + aim.up**2) ** 0.5 <= MISCUE + 1e-12
         assert aim.speed > 0
 
 
 def test_a_tip_two_fifths_up_rolls_at_once_and_right_of_the_centre_spins_to_the_left() -> None:
-    assert Aim(10.0, 2.0, up=0.4).shot() == Shot(2.0, 10.0, follow=2.0)
-    assert Aim(10.0, 2.0, right=0.4).shot() == Shot(2.0, 10.0, side=2.0)
+    assert Attempt(10.0, 2.0, up=0.4).shot() == Shot(2.0, 10.0, follow=2.0)
+    assert Attempt(10.0, 2.0, right=0.4).shot() == Shot(2.0, 10.0, side=2.0)

@@ -5,7 +5,7 @@ from math import dist
 
 import pytest
 
-from danggu.players.levels import Aim
+from danggu.players.levels import Attempt
 from danggu.players.positions import SAGU, SHELF, THREE_CUSHION, Position, opening, spotted
 from danggu.rules.carom import Carom
 from danggu.rules.sagu import Sagu
@@ -75,7 +75,7 @@ def test_the_answer_of_a_position_scores_the_way_it_says(position: Position) -> 
     world = table.world()
     for name, at in position.on(table.length, table.width).items():
         world.add(Ball(name, at=at, radius=table.radius, mass=table.mass))
-    after = simulate(world, position.cue, Aim(*position.answer).shot())
+    after = simulate(world, position.cue, Attempt(*position.answer).shot())
     turn = Turn(position.cue, opening=position.key == "opening")
     verdict = (Sagu() if four else Carom()).verdict(after.log, turn)
     assert verdict.made
