@@ -164,6 +164,7 @@ def _world(spot: Spot) -> World:
         _one_of((laws,), spot["cushion_law"]),
         _one_of((exact, stepping), spot["engine"]),
         spot["discs"].truth(),
+        _table(spot["table"]) if "table" in spot.value else None,
     )
     if spot["cluster_law"].value is not None:
         world.cluster_law = _made(laws.HertzCluster, spot["cluster_law"])
@@ -172,6 +173,30 @@ def _world(spot: Spot) -> World:
         world.add(Wall(wall["normal"].complex(), wall["offset"].number(), name))
     _put_balls(world, spot)
     return world
+
+
+def _table(spot: Spot) -> Any:
+    """What the world stands on; files from before tables were kept do not say."""
+    from physics.tables.table import Table
+
+    pockets = spot["pockets"]
+    made = {
+        **{name: spot[name].text() for name in ("name", "kind")},
+        **{name: spot[name].number() for name in ("length", "width", "radius", "mass")},
+        "cloth": _made(Cloth, spot["cloth"]),
+        **{name: _one_of((laws,), spot[name]) for name in ("ball_law", "cushion_law")},
+        "pockets": None if pockets.value is None else _pockets(pockets),
+    }
+    try:
+        return Table(**made)
+    except ValueError as error:
+        raise ValueError(f"{spot.where}: {error}") from None
+
+
+def _pockets(spot: Spot) -> Any:
+    from physics.tables.pockets import Mouth, Pockets
+
+    return Pockets(_made(Mouth, spot["corner"]), _made(Mouth, spot["side"]))
 
 
 def _made(kind: Any, spot: Spot) -> Any:

@@ -1,0 +1,36 @@
+"""Where on a table a ball may be put: simple shapes that know what they contain."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A rectangle, metres, with its edges; `open_east`: without its eastern one."""
+
+    west: float
+    east: float
+    south: float
+    north: float
+    open_east: bool = False
+
+    def contains(self, p: tuple[float, float]) -> bool:
+        """Is the point (x, y) in it?"""
+        x, y = p
+        short = x < self.east if self.open_east else x <= self.east
+        return self.west <= x and short and self.south <= y <= self.north
+
+
+@dataclass(frozen=True, slots=True)
+class HalfDisc:
+    """The half of a disc that lies west of its centre, metres, with its edges: snooker's D."""
+
+    centre: tuple[float, float]
+    radius: float
+
+    def contains(self, p: tuple[float, float]) -> bool:
+        """Is the point (x, y) in it?"""
+        x, y = p[0] - self.centre[0], p[1] - self.centre[1]
+        return x <= 0.0 and x * x + y * y <= self.radius * self.radius
+
+
+Region = Box | HalfDisc
