@@ -10,6 +10,7 @@ from .pockets import Mouth, Pockets
 from .table import Table
 
 INCH = 0.0254
+LENGTHS = {9: 100.0, 8: 92.0, 7: 78.0}  # inches; for 7 ft the WPA has none
 WORN = CLOTHS["worn"]
 # the WPA's, in the middle of what it allows; the holes' radii are Alciatore's (TP 3.5, TP 3.6)
 CORNER = Mouth(width=4.5625 * INCH, facing=7.0, shelf=1.625 * INCH, hole=2.75 * INCH)
@@ -33,7 +34,9 @@ def pool(
     degrees by which each closes in on the pocket's axis: a cut of 142° is 7°, at the side 104° 14°.
     Without `side_` it is the corner pockets'. ValueError, naming the value, for what cannot be.
     """
-    length = {9: 100.0, 8: 92.0, 7: 78.0}[feet] * INCH
+    if feet not in LENGTHS:
+        raise ValueError(f"a pool table is of 9, 8 or 7 ft, not {feet!r}")
+    length = LENGTHS[feet] * INCH
     corner = Mouth(corner_mouth, facing, shelf, CORNER.hole)
     side = Mouth(side_mouth, side_facing, side_shelf, SIDE.hole)
     return Table(

@@ -1,6 +1,9 @@
 """Where on a table a ball may be put: simple shapes that know what they contain."""
 
 from dataclasses import dataclass
+from math import sqrt
+
+EDGE = 1e-9  # m: how far beyond an edge a point on it may be, by rounding
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,8 +19,8 @@ class Box:
     def contains(self, p: tuple[float, float]) -> bool:
         """Is the point (x, y) in it?"""
         x, y = p
-        short = x < self.east if self.open_east else x <= self.east
-        return self.west <= x and short and self.south <= y <= self.north
+        short = x < self.east if self.open_east else x <= self.east + EDGE
+        return self.west - EDGE <= x and short and self.south - EDGE <= y <= self.north + EDGE
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +33,7 @@ class HalfDisc:
     def contains(self, p: tuple[float, float]) -> bool:
         """Is the point (x, y) in it?"""
         x, y = p[0] - self.centre[0], p[1] - self.centre[1]
-        return x <= 0.0 and x * x + y * y <= self.radius * self.radius
+        return x <= EDGE and sqrt(x * x + y * y) <= self.radius + EDGE
 
 
 Region = Box | HalfDisc
