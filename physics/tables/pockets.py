@@ -10,10 +10,10 @@ from functools import lru_cache
 from math import sqrt
 from typing import NamedTuple
 
-from physics.checks import finite, keep, nonnegative, positive
+from physics.checks import keep, nonnegative, positive
 from physics.kernel.elementary import direction
 
-from .obstacle import Obstacle
+from .pieces import Piece
 
 ARC = 12  # chords that a rounded nose has in an outline
 QUARTERS = ((1, 1), (-1, 1), (-1, -1), (1, -1))  # signs of x and y, anticlockwise
@@ -38,12 +38,9 @@ class Mouth:
 
     def __post_init__(self) -> None:
         keep(self, positive, "width", "hole")
-        keep(self, nonnegative, "rounding")
-        keep(self, finite, "shelf", "facing")
-        if not 0.0 <= self.facing < 45.0:
-            raise ValueError(f"Mouth.facing must be from 0 to below 45, not {self.facing!r}")
-        if self.shelf <= -self.hole:
-            raise ValueError(f"Mouth.shelf must not put the hole on the bed, but is {self.shelf!r}")
+        keep(self, nonnegative, "shelf", "rounding", "facing")
+        if self.facing >= 45.0:
+            raise ValueError(f"Mouth.facing must be below 45, not {self.facing!r}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +49,11 @@ class Pockets:
 
     corner: Mouth
     side: Mouth
+
+    def __post_init__(self) -> None:
+        for mouth in (self.corner, self.side):
+            if not isinstance(mouth, Mouth):
+                raise ValueError(f"Pockets takes two of Mouth, not {mouth!r}")
 
 
 class Jaw(NamedTuple):
@@ -77,8 +79,8 @@ def _mirrored(p: complex, sx: int, sy: int) -> complex:
 def _jaw(vertex: complex, along: complex, out: complex, turn: float, mouth: Mouth) -> Jaw:
     """The end of a rail at its vertex, which it reaches going along; out: away from the table.
 
-    turn: degrees between the rail and the pocket's axis. The facing ends beside the hole's centre,
-    where the mouth's half width is less than hole and ball, so that no ball passes it.
+    turn: degrees between the rail and the pocket's axis. The facing ends beside the hole's centre:
+    `check` sees to it that no ball comes past there.
     """
     angle = turn - mouth.facing
     towards, r = direction(angle), mouth.rounding
@@ -121,22 +123,39 @@ def quarter(length: float, width: float, pockets: Pockets) -> Quarter:
     return found
 
 
+def check(length: float, width: float, pockets: Pockets, ball: float) -> None:
+    """ValueError for what is no Pockets, has no room on such a table, or has a way past a hole.
+
+    ball: the radius, m. Beside a hole's middle its centre must be in the hole wherever it fits.
+    """
+    if not isinstance(pockets, Pockets):
+        raise ValueError(f"Table.pockets must be Pockets, not {pockets!r}")
+    quarter(length, width, pockets)
+    for mouth, turn in ((pockets.corner, 45.0), (pockets.side, 90.0)):
+        deep, facing = mouth.shelf + mouth.hole, direction(mouth.facing)
+        half = 0.5 * mouth.width - (deep * facing.imag + ball) / facing.real
+        towards = direction(turn - mouth.facing)
+        rounded = mouth.rounding * towards.imag / (1.0 + towards.real) * facing.real
+        if half >= mouth.hole or rounded > deep:
+            raise ValueError(f"a ball of radius {ball!r} could pass beside the hole of {mouth!r}")
+
+
 @lru_cache(maxsize=64)
-def obstacles(length: float, width: float, pockets: Pockets) -> tuple[Obstacle, ...]:
+def obstacles(length: float, width: float, pockets: Pockets) -> tuple[Piece, ...]:
     """All that a ball can meet: rails, facings, round noses and holes."""
     found = quarter(length, width, pockets)
     return (*_rails(found), *_jaws(found), *_holes(found, pockets))
 
 
-def _rails(found: Quarter) -> Iterator[Obstacle]:
+def _rails(found: Quarter) -> Iterator[Piece]:
     """Two short and four half long ones, the table on their left."""
     for sx, name in ((-1, "west"), (1, "east")):
         north, south = (_mirrored(found.east.line[0], sx, s) for s in (1, -1))
         ends = (south, north) if sx == 1 else (north, south)
-        yield Obstacle("segment", ends, 0.0, name, "rail")
+        yield Piece("segment", ends, 0.0, name, "rail")
     for sx, sy in QUARTERS:
         ends = (found.north.mirrored(sx, sy).line[0], found.middle.mirrored(sx, sy).line[0])
-        yield Obstacle("segment", ends if sx == sy else ends[::-1], 0.0, place(sx, sy), "rail")
+        yield Piece("segment", ends if sx == sy else ends[::-1], 0.0, place(sx, sy), "rail")
 
 
 def place(sx: int, sy: int) -> str:
@@ -144,7 +163,7 @@ def place(sx: int, sy: int) -> str:
     return SIDES.get((sx, sy)) or f"{SIDES[0, sy]}-{SIDES[sx, 0]}"
 
 
-def _jaws(found: Quarter) -> Iterator[Obstacle]:
+def _jaws(found: Quarter) -> Iterator[Piece]:
     """Facings, the pocket on their left, and noses that are round."""
     for sx, sy in QUARTERS:
         corner, side = f"{place(sx, sy)} pocket", f"{place(0, sy)} pocket"
@@ -157,18 +176,18 @@ def _jaws(found: Quarter) -> Iterator[Obstacle]:
             ends = (mine.start, mine.line[-1])
             if mine.start != mine.line[-1]:
                 ends = ends if left == (sx == sy) else ends[::-1]
-                yield Obstacle("segment", ends, 0.0, f"{name} facing", "facing")
+                yield Piece("segment", ends, 0.0, f"{name} facing", "facing")
             if mine.radius > 0.0:
-                yield Obstacle("post", (mine.centre,), mine.radius, f"{name} nose", "nose")
+                yield Piece("post", (mine.centre,), mine.radius, f"{name} nose", "nose")
 
 
-def _holes(found: Quarter, pockets: Pockets) -> Iterator[Obstacle]:
+def _holes(found: Quarter, pockets: Pockets) -> Iterator[Piece]:
     for sx, sy in QUARTERS:
         at, name = _mirrored(found.corner, sx, sy), f"{place(sx, sy)} pocket"
-        yield Obstacle("pocket", (at,), pockets.corner.hole, name, "hole")
+        yield Piece("pocket", (at,), pockets.corner.hole, name, "hole")
     for sy in (1, -1):
         at = complex(0.0, sy * found.side.imag)
-        yield Obstacle("pocket", (at,), pockets.side.hole, f"{place(0, sy)} pocket", "hole")
+        yield Piece("pocket", (at,), pockets.side.hole, f"{place(0, sy)} pocket", "hole")
 
 
 @lru_cache(maxsize=64)

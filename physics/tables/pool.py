@@ -4,6 +4,7 @@ Coefficients are the usual values of their ranges: nobody has published a fit to
 """
 
 from physics import laws
+from physics.world import World
 
 from .carom import CLOTHS
 from .pockets import Mouth, Pockets
@@ -63,3 +64,28 @@ PYRAMID_12FT = Table(
         Mouth(width=0.0825, facing=0.0, shelf=0.011, hole=0.045, rounding=0.011),
     ),
 )  # fmt: skip
+
+
+def pool_9ft(**sizes: float) -> World:
+    """The WPA's 9 ft table; sizes: corner_mouth, side_mouth, shelf, facing and so on, as `pool`."""
+    return pool(9, **sizes).world()
+
+
+def pool_8ft(**sizes: float) -> World:
+    """The WPA's 8 ft table; sizes as `pool` has them."""
+    return pool(8, **sizes).world()
+
+
+def pool_7ft(**sizes: float) -> World:
+    """A 7 ft bar table with the WPA's pockets; sizes as `pool` has them."""
+    return pool(7, **sizes).world()
+
+
+def snooker_12ft() -> World:
+    """The 12 ft snooker table; its pockets are approximate."""
+    return SNOOKER_12FT.world()
+
+
+def pyramid_12ft() -> World:
+    """The 12 ft table of Russian pyramid."""
+    return PYRAMID_12FT.world()

@@ -9,7 +9,7 @@ from physics.checks import keep, positive, sizable
 from physics.cloth import Cloth
 from physics.world import World
 
-from .obstacle import Obstacle, four_lines, solid
+from .pieces import Piece, four_lines, solid
 
 if TYPE_CHECKING:
     from .markings import Markings, Point
@@ -27,7 +27,7 @@ class Table:
     The middle is (0, 0); x runs along the table, from its head in the west. kind: "carom", "pool",
     "snooker" or "pyramid", which says what is marked on it and racked. pockets: None is a table
     without. ValueError for what is not finite or not above zero, a kind that is none of these, and
-    pockets that leave no room for a cushion.
+    pockets that leave no room for a cushion, or leave a ball a way past a hole.
     """
 
     length: float
@@ -44,13 +44,18 @@ class Table:
     def __post_init__(self) -> None:
         keep(self, positive, "length", "width", "radius")
         keep(self, sizable, "mass")
+        if not isinstance(self.name, str):
+            raise ValueError(f"Table.name must be text, not {self.name!r}")
         if self.kind not in KINDS:
             known = ", ".join(KINDS)
             raise ValueError(f"Table.kind must be one of {known}, not {self.kind!r}")
-        _ = self.pockets and self.obstacles
+        if self.pockets is not None:
+            from .pockets import check
+
+            check(self.length, self.width, self.pockets, self.radius)
 
     @property
-    def obstacles(self) -> tuple[Obstacle, ...]:
+    def obstacles(self) -> tuple[Piece, ...]:
         """What a ball can meet: rails, and at pockets facings, round noses and holes."""
         if self.pockets is None:
             return four_lines(self.length, self.width)
@@ -128,6 +133,6 @@ class Table:
         A ball that is added without a radius or a mass is one of this table's.
         """
         world = World(self.cloth, self.ball_law, self.cushion_law, table=self)
-        for obstacle in self.obstacles:
-            world.add(solid(obstacle))
+        for piece in self.obstacles:
+            world.add(solid(piece))
         return world

@@ -9,7 +9,19 @@ import pytest
 
 from physics import tables
 from physics.kernel.elementary import direction
-from physics.tables.pool import CORNER, INCH, PYRAMID_12FT, SIDE, SNOOKER_12FT, pool
+from physics.tables.pool import (
+    CORNER,
+    INCH,
+    PYRAMID_12FT,
+    SIDE,
+    SNOOKER_12FT,
+    pool,
+    pool_7ft,
+    pool_8ft,
+    pool_9ft,
+    pyramid_12ft,
+    snooker_12ft,
+)
 from tests.support.mirrors import aimed, pocketed
 
 POOLS = [pool(9), pool(8), pool(7)]
@@ -248,12 +260,49 @@ def test_pockets_that_leave_no_room_for_a_rail_are_refused(size):
         pool(9, **size)
 
 
+@pytest.mark.parametrize("bad", [3, "wide", [CORNER, SIDE], CORNER])
+def test_what_are_no_pockets_is_refused(bad):
+    with pytest.raises(ValueError, match=r"Table\.pockets must be Pockets, not"):
+        replace(tables.MATCH_CAROM, pockets=bad)
+    with pytest.raises(ValueError, match="Pockets takes two of Mouth, not"):
+        tables.Pockets(CORNER, tables.MATCH_CAROM)
+
+
+def test_facings_that_close_by_half_a_right_angle_are_refused():
+    with pytest.raises(ValueError, match=r"Mouth\.facing must be below 45, not 45"):
+        pool(9, facing=45.0)
+
+
+@pytest.mark.parametrize(
+    "mouth",
+    [
+        replace(CORNER, width=0.26), replace(CORNER, hole=0.015),
+        replace(CORNER, rounding=0.4), replace(CORNER, facing=0.0, width=0.2),
+    ],
+)  # fmt: skip
+def test_a_pocket_that_a_ball_could_leave_beside_its_hole_is_refused(mouth):
+    """Just wide enough is taken: beside the middle of the hole a ball is over it everywhere."""
+    with pytest.raises(ValueError, match="could pass beside the hole of Mouth"):
+        replace(POOLS[0], pockets=tables.Pockets(mouth, SIDE))
+    ball, straight = POOLS[0].radius, replace(CORNER, facing=0.0)
+    for width, taken in ((1.999, True), (2.001, False)):
+        wide = replace(straight, width=width * (CORNER.hole + ball))
+        if taken:
+            replace(POOLS[0], pockets=tables.Pockets(wide, SIDE))
+        else:
+            with pytest.raises(ValueError, match="could pass"):
+                replace(POOLS[0], pockets=tables.Pockets(wide, SIDE))
+
+
 def test_a_table_that_is_made_longer_has_its_pockets_at_its_ends():
     table = replace(POOLS[0], length=3.0)
     assert one(table, "east", "rail").points[0].real == 1.5
     assert hypot(*table.spots["foot"]) == 0.75
 
 
-def test_worlds_do_not_have_pockets_yet_and_say_so():
+@pytest.mark.parametrize(
+    "made", [pool_9ft, pool_8ft, pool_7ft, snooker_12ft, pyramid_12ft], ids=lambda f: f.__name__
+)
+def test_worlds_do_not_have_pockets_yet_and_say_so(made):
     with pytest.raises(ValueError, match="a world cannot have the rail 'west'"):
-        POOLS[0].world()
+        made()

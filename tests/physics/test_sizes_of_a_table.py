@@ -126,7 +126,7 @@ def test_a_file_whose_table_is_none_says_where(spoil, message):
 def test_a_table_with_a_law_of_one_s_own_cannot_be_saved():
     world = replace(tables.MATCH_CAROM, ball_law=lambda v, roll, side, mass: (mass, 0j)).world()
     world.ball_law = "rough"
-    with pytest.raises(ValueError, match=r"the table.s ball law .* comes from outside"):
+    with pytest.raises(ValueError, match="the table's ball law"):
         store.dumps(world)
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from physics.wall import Wall
 
 
-class Obstacle(NamedTuple):
+class Piece(NamedTuple):
     """Something fixed; points are complex numbers, metres, and the middle of the table is 0.
 
     kind: "line" (points: one of it, and the normal towards the table), "segment" (its ends, the
@@ -21,7 +21,7 @@ class Obstacle(NamedTuple):
     part: str
 
 
-def four_lines(length: float, width: float) -> tuple[Obstacle, ...]:
+def four_lines(length: float, width: float) -> tuple[Piece, ...]:
     """The cushions of a table without pockets."""
     x, y = 0.5 * length, 0.5 * width
     lines = (
@@ -30,20 +30,20 @@ def four_lines(length: float, width: float) -> tuple[Obstacle, ...]:
         (complex(0.0, -y), complex(0.0, 1.0), "south"),
         (complex(0.0, y), complex(0.0, -1.0), "north"),
     )
-    return tuple(Obstacle("line", (p, n), 0.0, name, "rail") for p, n, name in lines)
+    return tuple(Piece("line", (p, n), 0.0, name, "rail") for p, n, name in lines)
 
 
-def _line(obstacle: Obstacle) -> Wall:
-    point, normal = obstacle.points
-    return Wall(normal, (normal.conjugate() * point).real, obstacle.name)
+def _line(piece: Piece) -> Wall:
+    point, normal = piece.points
+    return Wall(normal, (normal.conjugate() * point).real, piece.name)
 
 
-SOLIDS: dict[str, Callable[[Obstacle], Wall]] = {"line": _line}
-"""What makes one of each kind: another kind of obstacle is one more line."""
+SOLIDS: dict[str, Callable[[Piece], Wall]] = {"line": _line}
+"""What makes one of each kind: another kind is one more line."""
 
 
-def solid(obstacle: Obstacle) -> Wall:
+def solid(piece: Piece) -> Wall:
     """The object that a world takes; ValueError, naming it, for a kind that worlds do not know."""
-    if obstacle.kind not in SOLIDS:
-        raise ValueError(f"a world cannot have the {obstacle.part} {obstacle.name!r}")
-    return SOLIDS[obstacle.kind](obstacle)
+    if piece.kind not in SOLIDS:
+        raise ValueError(f"a world cannot have the {piece.part} {piece.name!r}")
+    return SOLIDS[piece.kind](piece)
