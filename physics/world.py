@@ -33,8 +33,7 @@ class World:
 
     ball_law and cushion_law: a law of `physics.laws`, its name, or any callable (see there). All
     can be read and assigned at any moment. What cannot be raises ValueError and changes nothing.
-    discs: are its balls flat (docs/physics.md)?  Two of radii r and R then touch r + R apart, and
-    round ones 2 √(r R). table: whose balls those are that have no size; `Table.world` makes worlds.
+    discs: are its balls flat?  table: whose balls those are that have no size (see `Table.world`).
     """
 
     __slots__ = (  # so that a misspelt name is an error, and not an attribute that nobody reads
@@ -131,7 +130,7 @@ class World:
 
     @property
     def discs(self) -> bool:
-        """Are its balls flat?"""
+        """Are its balls flat?  Radii r and R then touch r + R apart, else 2 √(r R)."""
         return self._discs
 
     @property
