@@ -16,7 +16,13 @@ Point = tuple[float, float]
 
 
 class Markings(NamedTuple):
-    """Spots by name, (x, y) in m; x of the head string, or baulk line; regions and racks."""
+    """What is marked on a table, and what is racked on it.
+
+    spots: (x, y) by name, m.
+    line: x of the head string, baulk line or line of the house, m.
+    regions: where the centre of a ball in hand may be, by name.
+    racks: by name.
+    """
 
     spots: dict[str, Point]
     line: float | None

@@ -7,11 +7,14 @@ from physics.wall import Wall
 
 
 class Piece(NamedTuple):
-    """Something fixed; points are complex numbers, metres, and the middle of the table is 0.
+    """Something fixed; points are complex numbers, m, and the middle of the table is 0.
 
-    kind: "line" (points: one of it, and the normal towards the table), "segment" (its ends, the
-    table on the left), "post" or "pocket" (the centre; radius in m). part: "rail", "facing", "nose"
-    or "hole".
+    kind: "line", "segment", "post" or "pocket".
+    points: of a line, one of it and the normal towards the table; of a segment its ends, the table
+        on the left; of a post or a pocket the centre.
+    radius: of a post or a pocket, m.
+    name: that a world knows it by.
+    part: "rail", "facing", "nose" or "hole".
     """
 
     kind: str

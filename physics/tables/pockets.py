@@ -22,12 +22,16 @@ SIDES = {(1, 0): "east", (-1, 0): "west", (0, 1): "north", (0, -1): "south"}
 
 @dataclass(frozen=True, slots=True)
 class Mouth:
-    """One kind of pocket; lengths in m.
+    """One kind of pocket.
 
     width: between the two vertices at which the lines of noses and facings meet, before any
-    rounding; facing: by how many degrees each facing closes in on the pocket's axis; shelf: from
-    the middle of the mouth to the hole's edge; hole: its radius; rounding: the radius of the noses,
-    0 for points. ValueError, naming the value, for what no pocket can be.
+        rounding, m.
+    facing: by how many degrees each facing closes in on the pocket's axis.
+    shelf: from the middle of the mouth to the hole's edge, m.
+    hole: its radius, m.
+    rounding: the radius of the noses, m; 0 for points.
+
+    ValueError, naming the value, for what no pocket can be.
     """
 
     width: float

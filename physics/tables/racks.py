@@ -26,8 +26,14 @@ def _corners_differ(order: list[int]) -> bool:
 
 
 class Rack(NamedTuple):
-    """rows: balls in each, from the apex on; spot: where the apex lies; order: row by row, from the
-    left as the breaker sees it; fixed: the places that a seed does not shuffle."""
+    """How the balls of a game are racked.
+
+    rows: balls in each, from the apex on.
+    spot: where the apex lies.
+    order: row by row, each from the left as the breaker sees it.
+    fixed: the places that a seed does not shuffle.
+    legal: do the rules allow an order?
+    """
 
     rows: tuple[int, ...]
     spot: str

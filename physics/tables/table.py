@@ -22,12 +22,19 @@ KINDS = ("carom", "pool", "snooker", "pyramid")
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """length and width between the cushions' noses, ball radius: metres; ball mass: kg.
+    """A table to play on, with what belongs to it. The middle is (0, 0), and x runs along it, from
+    its head in the west.
 
-    The middle is (0, 0); x runs along the table, from its head in the west. kind: "carom", "pool",
-    "snooker" or "pyramid", which says what is marked on it and racked. pockets: None is a table
-    without. ValueError for what is not finite or not above zero, a kind that is none of these, and
-    pockets that leave no room for a cushion, or leave a ball a way past a hole.
+    length, width: between the cushions' noses, m.
+    radius: of a ball, m.
+    mass: of a ball, kg.
+    cloth, ball_law, cushion_law: as a World takes them.
+    name: for messages and pictures.
+    kind: "carom", "pool", "snooker" or "pyramid": what is marked on it and racked.
+    pockets: or None for a table without.
+
+    ValueError for what is not finite or not above zero, a kind that is none of these, and pockets
+    that leave no room for a cushion, or leave a ball a way past a hole.
     """
 
     length: float
@@ -107,12 +114,15 @@ class Table:
     def rack(
         self, kind: str, gap: float = 0.0, disorder: float = 0.0, seed: int | None = None
     ) -> list[Ball]:
-        """The object balls of a game, at rest where they are racked; their names are their numbers.
+        """The object balls of a game, at rest where they are racked.
 
-        gap: between neighbours, m; disorder: how far a ball may lie off its place, m, places being
-        farther apart by twice that. seed: orders the balls as the rules allow, and disorders them;
-        without one the order is a standard one. Snooker's reds are "red 1" to "red 15", and its
-        colours are on their spots. ValueError, naming the value, for what cannot be.
+        kind: one of `racks`.
+        gap: between neighbours, m.
+        disorder: how far a ball may lie off its place, m; places are farther apart by twice that.
+        seed: draws one of the orders that the rules allow, and the disorder; None: a standard one.
+
+        Balls are named by their numbers; snooker's reds are "red 1" to "red 15", and its colours
+        are on their spots. ValueError, naming the value, for what cannot be.
         """
         from .racks import racked
 
