@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from operator import attrgetter
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol, TypeVar
 
 from .checks import finite, nonnegative, positive, sizable, vector
 from .kernel.body import Body, Felt, twin
@@ -14,7 +14,36 @@ from .kernel.motion import STILL
 from .kernel.tilt import touching_distance
 
 DISTURBED = -1  # the phase of a ball that was changed and that no engine has looked at yet
+RADIUS, MASS = 0.03275, 0.25  # m and kg, where nothing says otherwise
 NOWHERE = Felt(0.0, 0.0, 0.0)  # the cloth under a ball that is in no world yet
+
+
+class Sized(Protocol):
+    """What knows the size of its balls: a table."""
+
+    @property
+    def radius(self) -> float: ...
+    @property
+    def mass(self) -> float: ...
+
+
+Kind = TypeVar("Kind", bound=Sized | None)
+
+
+def a_table(thing: Kind) -> Kind:
+    """It, or None; ValueError for what knows no size of balls."""
+    size = getattr(thing, "radius", None), getattr(thing, "mass", None)
+    if thing is not None and not all(isinstance(number, float) for number in size):
+        raise ValueError(f"a world's table is a Table, not {thing!r}")
+    return thing
+
+
+class _Open(NamedTuple):
+    """What a ball in no world was given, and its last spin, rad/s: the rest is up to a table."""
+
+    radius: bool
+    mass: bool
+    spin: tuple[float, ...] = (0.0, 0.0, 0.0)
 
 
 class Placed(NamedTuple):
@@ -82,13 +111,15 @@ class Ball:
     """A ball on the table.
 
     at and velocity are (x, y) in m and m/s, spin (wx, wy, wz) in rad/s, right-handed with z up (wz
-    above zero is anticlockwise from above), radius in m, mass in kg.
+    above zero is anticlockwise from above), radius in m, mass in kg. A ball without a radius or a
+    mass takes that of the balls of its world's table when it is added: until then, and in a world
+    without a table, 0.03275 m and 0.25 kg.
     position, velocity, spin, and for jumps height and climb can be read and assigned at any moment;
     the world takes it from there. ValueError, naming the ball and the value, for any not finite
     or not positive, and for what a ball that has left the table cannot take.
     """
 
-    __slots__ = ("_body", "_clock", "_name", "put")
+    __slots__ = ("_body", "_clock", "_name", "_open", "put")
 
     def __init__(
         self,
@@ -96,15 +127,18 @@ class Ball:
         at: Sequence[float],
         velocity: Sequence[float] = (0.0, 0.0),
         spin: Sequence[float] = (0.0, 0.0, 0.0),
-        radius: float = 0.03275,
-        mass: float = 0.25,
+        radius: float | None = None,
+        mass: float | None = None,
     ) -> None:
         self._name = name
         self.put = True
         """Has it been placed since its world last checked that all fits?"""
         self._clock = Clock(NOWHERE)
-        radius = positive(f"ball {name!r}: radius", radius)
-        self._body = Body(radius, sizable(f"ball {name!r}: mass", mass), lift=radius)
+        given = radius is not None, mass is not None
+        self._open = None if all(given) else _Open(*given)
+        radius = RADIUS if radius is None else positive(f"ball {name!r}: radius", radius)
+        mass = MASS if mass is None else sizable(f"ball {name!r}: mass", mass)
+        self._body = Body(radius, mass, lift=radius)
         self.position = at
         self.velocity = velocity
         self.spin = spin
@@ -201,6 +235,8 @@ class Ball:
         wx, wy, wz = vector(f"ball {self.name!r}: spin", value, 3)
         body = self.on_table().disturb()
         body.roll, body.side = complex(wy, -wx) * body.radius, wz * body.radius
+        if self._open is not None:
+            self._open = _Open(*self._open[:2], (wx, wy, wz))
 
     @property
     def phase(self) -> str:
@@ -285,17 +321,34 @@ class Ball:
         """The kernel's record."""
         return self._body
 
-    def join(self, clock: Clock) -> Body:
-        """Read time from a world's clock from now on; ValueError if it is in a world already."""
+    def join(self, clock: Clock, table: Sized | None) -> Body:
+        """Read a world's clock from now on, and take what is open of the size from its table.
+
+        ValueError if it is in a world already.
+        """
         if self._clock.cloth is not NOWHERE:
             raise ValueError(f"ball {self.name!r} is in a world already")
-        self._clock = clock
+        if table is not None and self._open is not None:
+            self._fit(table, self._open)
+        self._open, self._clock = None, clock
         self._body.since = clock.now
         return self._body
+
+    def _fit(self, table: Sized, given: _Open) -> None:
+        """A spin in rad/s stays that, and a ball that was made to roll still rolls."""
+        body, (wx, wy, wz), before = self._body, given.spin, self._body.radius
+        if not given.mass:
+            body.mass = table.mass
+        if not given.radius:
+            body.radius = body.lift = radius = table.radius
+            if body.roll == complex(wy, -wx) * before:
+                body.roll = complex(wy, -wx) * radius
+            if body.side == wz * before:
+                body.side = wz * radius
 
     def twin(self, clock: Clock) -> "Ball":
         """The same ball, on the same leg, in another world."""
         ball = Ball.__new__(Ball)
         ball._name, ball._clock, ball._body = self._name, clock, twin(self._body)
-        ball.put = self.put
+        ball.put, ball._open = self.put, None
         return ball

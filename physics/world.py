@@ -4,16 +4,16 @@ from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from math import inf
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from . import laws
-from .ball import DISTURBED, Ball, Clock, Placed
+from .ball import DISTURBED, Ball, Clock, Placed, a_table
 from .checks import finite, nonnegative, truth
 from .cloth import Cloth, a_cloth
 from .engines.engine import Engine, an_engine
 from .engines.exact import EventDriven
 from .files.record import foresees
-from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_scene
+from .kernel.body import Rule, Scene, celled, no_grid, no_ties, twin_scene
 from .kernel.kinds import PHASES
 from .log import Log
 from .parting import part
@@ -31,13 +31,12 @@ class World:
 
     ball_law and cushion_law: a law of `physics.laws`, its name, or any callable (see there). All
     can be read and assigned at any moment. What cannot be raises ValueError and changes nothing.
-    discs: are its balls flat?  Two of radii r and R then touch r + R apart, and level; round ones
-    do so 2 √(r R) apart (docs/physics.md). Both are the same for balls of one size.
+    discs: are its balls flat?  table: whose balls those are that have no size (see `Table.world`).
     """
 
     __slots__ = (  # so that a misspelt name is an error, and not an attribute that nothing reads
         "__weakref__", "_asking", "_ball_law", "_balls", "_checked", "_clock", "_cloth",
-        "_cluster_law", "_cushion_law", "_discs", "_engine", "_index", "_walls",
+        "_cluster_law", "_cushion_law", "_discs", "_engine", "_index", "_table", "_walls",
         "_warned", "_watched", "allowed", "due", "log", "planned", "scene",
     )  # fmt: skip
 
@@ -48,8 +47,9 @@ class World:
         cushion_law: str | laws.CushionLaw = "rigid",
         engine: Engine | None = None,
         discs: bool = False,
+        table: Any = None,
     ) -> None:
-        self._discs = truth("a world's discs", discs)
+        self._discs, self._table = truth("a world's discs", discs), a_table(table)
         self._cloth = Cloth() if cloth is None else a_cloth(cloth)
         self._engine: Engine = EventDriven() if engine is None else an_engine(engine)
         self._ball_law = laws.ball_law(ball_law)
@@ -94,7 +94,7 @@ class World:
         if ball.name in self._index:
             raise ValueError(f"there is a ball {ball.name!r} already")
         n = len(self._balls) + 1
-        body = ball.join(self._clock)
+        body = ball.join(self._clock, self._table)
         if self._discs:
             body.lift = 0.0
         self._index[ball.name] = n - 1
@@ -128,8 +128,13 @@ class World:
 
     @property
     def discs(self) -> bool:
-        """Are its balls flat?"""
+        """Are its balls flat?  Radii r and R then touch r + R apart, else 2 √(r R)."""
         return self._discs
+
+    @property
+    def table(self) -> Any:
+        """The `tables.Table` it stands on, with its spots and racks, or None."""
+        return self._table
 
     @property
     def cloth(self) -> Cloth:
@@ -330,8 +335,7 @@ class World:
     def run(self, until: float = inf) -> None:
         """Let time pass until all balls rest, or until world time `until`, s, that included."""
         self._refuse_laws("run")
-        if until != inf:
-            until = finite("World.run until", until)
+        until = until if until == inf else finite("World.run until", until)
         if until < self.time:
             raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
         with self._guard():
@@ -380,7 +384,9 @@ class World:
             fresh, dt = self._walls[self._checked :], getattr(self._engine, "dt", 0.0)
             check_places(self._balls, self._walls, fresh, self.scene.cushion_rule, dt)
             self.trust()
-            self._lay_grid()
+            if len(self._balls) > FEW:
+                self._disturb()
+                self.scene = celled(self.scene)
         if all(body.phase == DISTURBED or PHASES[body.phase].lies for body in bodies):
             clock.begin_epoch(bodies)
         self.planned = self.time
@@ -389,11 +395,3 @@ class World:
         for i, body in enumerate(bodies):
             if not self.log.knows(i):
                 self.log.begin(i, clock.epoch, body, clock.cloth.fade)
-
-    def _lay_grid(self) -> None:
-        """Cells for many balls, in place of the table of all their meetings."""
-        if len(self._balls) > FEW:
-            self._disturb()
-            widest = max(ball.radius for ball in self._balls)
-            cells = grid([body.position for body in self.scene.balls], widest)
-            self.scene = self.scene._replace(celled=True, grid=cells, meetings=[])

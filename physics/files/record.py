@@ -11,6 +11,7 @@ from physics.kernel.lasting import NEVER
 from physics.shot import Shot
 
 HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of named things
+TABLE = ("name", "kind", "length", "width", "radius", "mass")  # of a table, beside its laws
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
 DISTURBED = "disturbed"
 COMPLEX = ("position", "velocity", "acceleration", "roll")
@@ -38,6 +39,7 @@ def world_data(world: Movable) -> Data:
         "cluster_law": None if world.cluster_law is None else asdict(world.cluster_law),
         "engine": _named(world.engine),
         "discs": world.discs,
+        **({} if world.table is None else {"table": _table(world.table)}),
         "epoch": clock.epoch,
         "now": clock.now,
         "planned": world.planned,
@@ -66,8 +68,12 @@ def planned_data(world: Movable, budget: int) -> Data:
 
 def insist_on_names(world: Movable) -> None:
     """ValueError for a ball, a law or an engine that a file cannot name."""
-    for what in ("ball law", "cushion law", "engine"):
-        thing = getattr(world, what.replace(" ", "_"))
+    things = {name: getattr(world, name) for name in ("ball_law", "cushion_law", "engine")}
+    if world.table is not None:
+        things["table's ball_law"] = world.table.ball_law
+        things["table's cushion_law"] = world.table.cushion_law
+    for name, thing in things.items():
+        what = name.replace("_", " ")
         if not _ours(thing):
             raise ValueError(
                 f"the {what} {getattr(thing, '__name__', thing)!r} is a custom one: only the"
@@ -101,6 +107,16 @@ def _named(thing: Any) -> Data:
     if not _ours(thing):
         return {"name": f"{getattr(thing, '__name__', thing)} (custom)"}
     return {"name": type(thing).__name__, **asdict(thing)}
+
+
+def _table(table: Any) -> Data:
+    return {
+        **{name: getattr(table, name) for name in TABLE},
+        "cloth": asdict(table.cloth),
+        "ball_law": _named(table.ball_law),
+        "cushion_law": _named(table.cushion_law),
+        "pockets": None if table.pockets is None else asdict(table.pockets),
+    }
 
 
 def _wall(wall: Any) -> Data:

@@ -168,6 +168,7 @@ def _world(node: Node) -> World:
         _one_of((laws,), node["cushion_law"]),
         _one_of((exact, stepping), node["engine"]),
         node["discs"].truth(),
+        _table(node["table"]) if "table" in node.value else None,
     )
     if node["cluster_law"].value is not None:
         world.cluster_law = _made(laws.HertzCluster, node["cluster_law"])
@@ -187,6 +188,30 @@ def _obstacle(node: Node) -> Obstacle:
     numbers = {field.name: READS[field.type](node[field.name]) for field in asked}
     made: Obstacle = OBSTACLES[kind](**numbers, name=name)
     return made
+
+
+def _table(node: Node) -> Any:
+    """What the world stands on; files from before tables were kept do not say."""
+    from physics.tables.table import Table
+
+    pockets = node["pockets"]
+    made = {
+        **{name: node[name].text() for name in ("name", "kind")},
+        **{name: node[name].number() for name in ("length", "width", "radius", "mass")},
+        "cloth": _made(Cloth, node["cloth"]),
+        **{name: _one_of((laws,), node[name]) for name in ("ball_law", "cushion_law")},
+        "pockets": None if pockets.value is None else _pockets(pockets),
+    }
+    try:
+        return Table(**made)
+    except ValueError as error:
+        raise ValueError(f"{node.where}: {error}") from None
+
+
+def _pockets(node: Node) -> Any:
+    from physics.tables.pockets import Mouth, Pockets
+
+    return Pockets(_made(Mouth, node["corner"]), _made(Mouth, node["side"]))
 
 
 def _made(kind: Any, node: Node) -> Any:

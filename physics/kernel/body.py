@@ -216,6 +216,13 @@ def twin_grid(grid: Grid) -> Grid:
     return grid._replace(head=grid.head[:], seats=seats, tree=grid.tree[:], near=grid.near[:])
 
 
+def celled(scene: Scene) -> Scene:
+    """The scene with cells over its balls, in place of the table of all their meetings."""
+    widest = max(ball.radius for ball in scene.balls)
+    cells = grid([ball.position for ball in scene.balls], widest)
+    return scene._replace(celled=True, grid=cells, meetings=[])
+
+
 def twin_scene(scene: Scene, balls: list[Body]) -> Scene:
     """A copy of the scene, with those records of its balls."""
     return scene._replace(

@@ -1,5 +1,6 @@
 """What the docs show runs, and what they link to is there."""
 
+import doctest
 import re
 import runpy
 from pathlib import Path
@@ -25,6 +26,11 @@ def test_the_tour_runs(capsys):
     assert "white red" in out
     assert "stepping is off by 0.26" in out
     assert "the white comes down after 0.204 s" in out
+
+
+def test_the_example_of_the_tables_is_what_it_says():
+    failed, tried = doctest.testfile(str(DOCS / "tables.md"), module_relative=False)
+    assert (failed, tried) == (0, 5)
 
 
 def test_the_readme_gives_the_two_commands_that_the_gate_uses():

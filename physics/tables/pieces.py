@@ -1,0 +1,52 @@
+"""What a ball can meet on a table, as plain points, and the object of a world that it becomes."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from physics.wall import Wall
+
+
+class Piece(NamedTuple):
+    """Something fixed; points are complex numbers, m, and the middle of the table is 0.
+
+    kind: "line", "segment", "post" or "pocket".
+    points: of a line, one of it and the normal towards the table; of a segment its ends, the table
+        on the left; of a post or a pocket the centre.
+    radius: of a post or a pocket, m.
+    name: that a world knows it by.
+    part: "rail", "facing", "nose" or "hole".
+    """
+
+    kind: str
+    points: tuple[complex, ...]
+    radius: float
+    name: str
+    part: str
+
+
+def four_lines(length: float, width: float) -> tuple[Piece, ...]:
+    """The cushions of a table without pockets."""
+    x, y = 0.5 * length, 0.5 * width
+    lines = (
+        (complex(-x, 0.0), complex(1.0, 0.0), "west"),
+        (complex(x, 0.0), complex(-1.0, 0.0), "east"),
+        (complex(0.0, -y), complex(0.0, 1.0), "south"),
+        (complex(0.0, y), complex(0.0, -1.0), "north"),
+    )
+    return tuple(Piece("line", (p, n), 0.0, name, "rail") for p, n, name in lines)
+
+
+def _line(piece: Piece) -> Wall:
+    point, normal = piece.points
+    return Wall(normal, (normal.conjugate() * point).real, piece.name)
+
+
+SOLIDS: dict[str, Callable[[Piece], Wall]] = {"line": _line}
+"""What makes one of each kind: another kind is one more line."""
+
+
+def solid(piece: Piece) -> Wall:
+    """The object that a world takes; ValueError, naming it, for a kind that worlds do not know."""
+    if piece.kind not in SOLIDS:
+        raise ValueError(f"a world cannot have the {piece.part} {piece.name!r}")
+    return SOLIDS[piece.kind](piece)
