@@ -8,6 +8,7 @@ import pytest
 
 from game import __main__ as entry
 from game.aim.preview import rests
+from game.input.captions import words
 from game.session.action import Action
 from game.session.commands import perform
 from game.session.session import Notice, Session
@@ -16,7 +17,6 @@ from game.session.ticks import TICKS
 from game.session.timeline import HEEDED
 from game.table import presets
 from game.table.presets import scene_world, table_world
-from game.text import words
 from game.ui.pages.shelf import laid
 from game.ui.panels.shot_panels import log_rows
 from physics import EventDriven, Placed, Shot
