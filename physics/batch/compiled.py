@@ -103,6 +103,16 @@ def _parts() -> Any:
         def get_pointer_to_function(self, name: str) -> int:
             return 0  # as for all functions that Python cannot call
 
+        def _optimize_final_module(self) -> None:
+            """With the passes that numba calls cheap: all of them follow in the whole."""
+            codegen = self._codegen
+            if hasattr(codegen, "_mpm_cheap"):  # numba before 0.62
+                codegen._mpm_cheap.run(self._final_module)
+                return
+            cheap = {"loop_vectorize": False, "slp_vectorize": False, "cost": "cheap"}
+            passes, builder = codegen._module_pass_manager(opt=codegen._opt_level, **cheap)
+            passes.run(self._final_module, builder)
+
         def _finalize_final_module(self) -> None:
             self._finalized = True
 
@@ -165,12 +175,12 @@ def _kernel() -> ModuleType:
     folder = _opened(wanted) if wanted else None
     if folder is None:
         log.warning(
-            "compiling the kernel for this process alone, which takes about 20 seconds: %s",
+            "compiling the kernel for this process alone, which takes about 15 seconds: %s",
             f"cannot write to {wanted}" if wanted else "there is no home to keep it in",
         )
         return _built(None)
     if not any(folder.glob(DONE)):
-        log.warning("compiling the kernel for %s, this once: it takes about 20 seconds", folder)
+        log.warning("compiling the kernel for %s, this once: it takes about 15 seconds", folder)
     try:
         return _built(folder)
     except Exception as error:  # broken files may raise anything, a full disk an OSError
@@ -237,7 +247,7 @@ def _forget(folder: Path) -> None:
     """Remove the kernels beside this new one that have not been used for a week.
 
     Each edit and each release leaves one, of 2 to 6 MB. Another install may still want its own:
-    after a week it waits 20 s for it again. A folder is renamed first and then removed, so that no
+    after a week it waits 15 s for it again. A folder is renamed first and then removed, so that no
     process finds half of one; one that another removes, or holds open, is left alone.
     """
     now = folder.stat().st_mtime
