@@ -7,6 +7,7 @@ from .ball import Ball, Placed
 from .cloth import Cloth
 from .engines.exact import ContactError, EventBudgetError, EventDriven
 from .log import Contact, Event, Leg, Log, State
+from .post import Pocket, Post
 from .shot import Shot, direction, heading
 from .simulation import simulate
 from .studies.trace import heights, trace
@@ -55,8 +56,8 @@ def __dir__() -> list[str]:
 
 __all__ = [
     "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning", "Event",
-    "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Placed", "Recovered",
-    "Sensitivity", "Shot", "State", "TimeStepping", "Wall", "World", "direction", "heading",
-    "heights", "laws", "ledger", "recover", "scenes", "sensitivity", "simulate", "simulate_many",
-    "store", "tables", "trace",
+    "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Placed", "Pocket",
+    "Post", "Recovered", "Sensitivity", "Shot", "State", "TimeStepping", "Wall", "World",
+    "direction", "heading", "heights", "laws", "ledger", "recover", "scenes", "sensitivity",
+    "simulate", "simulate_many", "store", "tables", "trace",
 ]  # fmt: skip

@@ -38,6 +38,8 @@ def _push_inside(balls: Sequence[Ball], walls: Sequence[Obstacle]) -> bool:
     some = False
     for ball in balls:
         for wall in walls:
+            if not wall.pushes:
+                continue
             lacks = ball.radius - wall.distance(ball.position)
             if lacks > OVERLAP:
                 away = (lacks + GAP * ball.radius) * wall.facing(ball.position)

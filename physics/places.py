@@ -19,8 +19,8 @@ def check_places(
     rule: Rule,
     dt: float,
 ) -> None:
-    """ValueError, naming the ball, if one that was placed lies outside the walls or in another
-    one, or if any lies outside a new wall.
+    """ValueError, naming the ball, if one that was placed lies outside the walls, in a post, over a
+    pocket or in another ball, or if any lies so at a new one of these.
 
     Overlaps left by an engine of fixed steps are not the caller's fault. rule: the cushions'.
     dt: the engine's step, s, or 0.
@@ -32,7 +32,8 @@ def check_places(
     for ball in here:
         for wall in walls if ball.put else fresh:
             if _depth(ball, wall, rule) > slack + OVERLAP:
-                raise ValueError(f"{ball!r} is outside the wall {wall.name or wall!r}")
+                where = "outside" if wall.kind == "line" else "in"
+                raise ValueError(f"{ball!r} is {where} the {wall.noun} {wall.name or wall!r}")
     for ball, other in overlapping(here, slack + OVERLAP):
         if ball.put or other.put:
             raise ValueError(f"{ball!r} and {other!r} overlap")
@@ -53,6 +54,8 @@ def overlapping(balls: Iterable[Ball], slack: float) -> Iterator[tuple[Ball, Bal
 
 def _depth(ball: Ball, wall: Obstacle, rule: Rule) -> float:
     """How far the ball is in the wall, m; in the air only the wall's nose is in its way."""
+    if not wall.pushes:
+        return -wall.distance(ball.position) if ball.height == 0.0 else 0.0
     across, above = nose(wall.shape, complex(*ball.position), ball.radius, ball.height, rule)
     if ball.height > 0.0 and across > 0.0:
         return ball.radius - hypot(across, above)

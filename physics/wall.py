@@ -1,18 +1,25 @@
-"""A wall: an endless straight line; the table is what lies inside them all.
+"""Walls: lines without end, of which the table is what lies inside them all; segments and arcs.
 
 The shape of an obstacle and its geometry are the kernel's (kernel/obstacle.py).
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from .checks import finite, keep, vector
+from .checks import finite, keep, positive, vector
 from .kernel import obstacle
+from .kernel.elementary import direction
+from .kernel.leg import travelled
 from .kernel.motion import length
-from .kernel.obstacle import Shape
+from .kernel.obstacle import ARC, SEGMENT, Shape
+
+Point = tuple[float, float]
 
 UNIT = 1e-9  # how far the length of a normal may be from 1
 ROUNDING = 4e-16  # and of one that is a unit as far as it can be
+CHORDS = 96  # of a whole circle, as it is drawn
+LOOKS = 16  # how often a path is looked at for the part of it that is farthest away
 
 
 class Obstacle:
@@ -22,6 +29,8 @@ class Obstacle:
     __slots__ = ()
 
     kind: ClassVar[str]  # in files
+    pushes: ClassVar[bool] = True  # or do balls fall into it?
+    noun: ClassVar[str] = "wall"
     name: str | None
     shape: Shape
 
@@ -34,9 +43,18 @@ class Obstacle:
         return complex(obstacle.facing(self.shape, complex(*p)))
 
     def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
-        """The greatest distance, m, within t seconds, of a point that starts at p with v and
-        accelerates with a."""
-        return float(obstacle.farthest(self.shape, p, v, a, t))
+        """The greatest distance, m, of a point that starts at p with v and accelerates with a,
+        within t seconds.  To 1e-9 of the path, if it is no line."""
+
+        def gap(s: float) -> float:
+            return float(obstacle.clearance(self.shape, travelled(p, v, a, s), 0.0))
+
+        best = max((k * t / LOOKS for k in range(LOOKS + 1)), key=gap)
+        return gap(_summit(gap, max(0.0, best - t / LOOKS), min(t, best + t / LOOKS)))
+
+    def curve(self) -> tuple[complex, ...]:
+        """Points along it, as many as it takes to look round; of a line, none."""
+        return ()
 
     def lines(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
         """The lines on which the centre of a ball of that radius slides along it, `gap` m away: for
@@ -100,11 +118,129 @@ class Wall(Obstacle):
         a, b = py - qy, qx - px
         return cls.line(a, b, -(a * px + b * py), name)
 
+    @staticmethod
+    def segment(p: Point, q: Point, name: str | None = None) -> "Segment":
+        """The straight wall from p to q, metres, with the table on its left."""
+        return Segment(p, q, name)
+
+    @staticmethod
+    def arc(
+        centre: Point, radius: float, start: float, end: float, name: str | None = None
+    ) -> "Arc":
+        """The part of a circle, metres, from the direction `start` anticlockwise to `end`, degrees
+        from the x axis, with the table on its inside."""
+        return Arc(centre, radius, start, end, name)
+
+    def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
+        return float(obstacle.farthest(self.shape, p, v, a, t))
+
     def lines(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
         return ((self.normal, self.offset + radius + gap),)
 
 
-OBSTACLES: dict[str, Any] = {thing.kind: thing for thing in (Wall,)}
+@dataclass(frozen=True, slots=True)
+class Segment(Obstacle):
+    """A straight wall that ends; make one with `Wall.segment`.
+
+    Balls on the cloth meet both of its sides, and its ends.
+    p, q: its ends, (x, y) m; the table is on the left of the way from p to q.
+    name: for events, or None.
+    shape: what the kernel knows it by.
+    """
+
+    kind: ClassVar[str] = "segment"
+
+    p: Point
+    q: Point
+    name: str | None = None
+    shape: Shape = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        for key in "pq":
+            object.__setattr__(self, key, vector(f"Wall.segment {key}", getattr(self, key), 2))
+        first, last = complex(*self.p), complex(*self.q)
+        size = length(last - first)
+        if not size > 0.0:
+            raise ValueError(f"Wall.segment needs two points, not {self.p!r} twice")
+        normal = 1j * ((last - first) / size)
+        normal /= length(normal)
+        offset = 0.5 * (normal.conjugate() * (first + last)).real
+        shape = Shape(normal, offset, normal.conjugate(), SEGMENT, size, first=first, last=last)
+        object.__setattr__(self, "shape", shape)
+
+    def curve(self) -> tuple[complex, ...]:
+        return self.shape.first, self.shape.last
+
+    def lines(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
+        return ((self.shape.normal, self.shape.offset + radius + gap),)
+
+    def circles(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
+        return (self.shape.first, radius + gap), (self.shape.last, radius + gap)
+
+
+@dataclass(frozen=True, slots=True)
+class Arc(Obstacle):
+    """A wall that is a part of a circle, or a whole one; make one with `Wall.arc`.
+
+    Balls on the cloth meet both of its sides, and its ends.
+    centre: (x, y), m.
+    radius: m.
+    start, end: degrees from the x axis; it goes from the one anticlockwise to the other.
+    name: for events, or None.
+    shape: what the kernel knows it by.
+    """
+
+    kind: ClassVar[str] = "arc"
+
+    centre: Point
+    radius: float
+    start: float
+    end: float
+    name: str | None = None
+    shape: Shape = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "centre", vector("Wall.arc centre", self.centre, 2))
+        keep(self, positive, "radius")
+        keep(self, finite, "start", "end")
+        angle = self.end - self.start
+        if not 0.0 < angle <= 360.0:
+            raise ValueError(
+                f"Wall.arc must end 0 to 360 degrees after its start, {self.start!r}, not at"
+                f" {self.end!r}"
+            )
+        centre = complex(*self.centre)
+        first, last = (centre + self.radius * direction(x) for x in (self.start, self.end))
+        span = direction(0.5 * angle).real if angle < 360.0 else -2.0  # all around, by rounding too
+        shape = Shape(
+            kind=ARC, size=self.radius, centre=centre, first=first, last=last,
+            middle=direction(self.start + 0.5 * angle), span=span,
+        )  # fmt: skip
+        object.__setattr__(self, "shape", shape)
+
+    def curve(self) -> tuple[complex, ...]:
+        return rounded(self.shape.centre, self.radius, self.start, self.end)
+
+    def circles(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
+        return ((self.shape.centre, self.radius - radius - gap),)
+
+
+def rounded(
+    centre: complex, radius: float, start: float = 0.0, end: float = 360.0
+) -> tuple[complex, ...]:
+    """Points along a part of a circle, between these angles, degrees."""
+    parts = int(CHORDS * (end - start) / 360.0) + 1
+    step = (end - start) / parts
+    return tuple(centre + radius * direction(start + k * step) for k in range(parts + 1))
+
+
+def _summit(height: Callable[[float], float], low: float, high: float) -> float:
+    """Where between the two it is highest, if it has one summit there: golden section."""
+    part = 0.6180339887498949
+    for _ in range(48):
+        a, b = high - part * (high - low), low + part * (high - low)
+        low, high = (a, high) if height(a) < height(b) else (low, b)
+    return 0.5 * (low + high)
 
 
 def _unit(normal: complex) -> complex:

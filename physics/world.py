@@ -13,11 +13,12 @@ from .cloth import Cloth, a_cloth
 from .engines.engine import Engine, an_engine
 from .engines.exact import EventDriven
 from .files.record import foresees
-from .kernel.body import Rule, Scene, celled, no_grid, no_ties, twin_scene
+from .kernel.body import Rule, Scene, celled, no_grid, no_ties, twin_scene, with_wall
 from .kernel.kinds import PHASES
 from .log import Log
 from .parting import part
 from .places import check_places
+from .room import check_room
 from .shot import Shot
 from .wall import Obstacle
 
@@ -77,15 +78,16 @@ class World:
     # -- what is in it -------------------------------------------------------------------------
 
     def add(self, thing: Thing) -> Thing:
-        """Put a ball or a wall into the world; returns it."""
+        """Put a ball, a wall, a post or a pocket into the world; returns it."""
         self._refuse_laws("add")
         if isinstance(thing, Ball):
             self._add_ball(thing)
         elif isinstance(thing, Obstacle):
+            check_room(thing, self._walls)
             self._walls.append(thing)
-            self.scene.walls.append(thing.shape)
+            self.scene = with_wall(self.scene, thing.shape)
         else:
-            raise ValueError(f"a world takes a Ball or a Wall, not {thing!r}")
+            raise ValueError(f"a world takes a Ball or a Wall, Post or Pocket, not {thing!r}")
         self._clock.moved = True
         self._disturb()
         return thing
@@ -264,8 +266,7 @@ class World:
             raise ValueError(f"World.strike takes a Shot, not {shot!r}")
         self._refuse_laws("strike")
         body = self.ball(ball).on_table().disturb()
-        (body.velocity, body.roll), body.side = shot.motion(), shot.side
-        body.climb = shot.climb
+        (body.velocity, body.roll), body.side, body.climb = shot.motion(), shot.side, shot.climb
 
     def stop(self) -> None:
         """All balls stop where they are; from the air they fall."""

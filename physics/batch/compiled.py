@@ -12,7 +12,7 @@ import os
 import shutil
 from contextlib import suppress
 from functools import cache, partial
-from math import inf, sqrt
+from math import inf, nan, sqrt
 from pathlib import Path
 from tempfile import TemporaryFile
 from threading import Lock
@@ -152,7 +152,7 @@ def _subset(folder: Path | None) -> ModuleType:
     subset = ModuleType(f"{NAME}.subset")
     vars(subset).update(
         kernel=kernel, elementary=kernel, whole=whole,
-        inf=inf, sqrt=sqrt, complex=complex, room=kernel(lambda ties, contacts: None),
+        inf=inf, nan=nan, sqrt=sqrt, complex=complex, room=kernel(lambda ties, contacts: None),
         custom_cushion=kernel(lambda v, roll, side, rule: (v, roll, side)),
         custom_ball=kernel(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
     )  # fmt: skip
@@ -284,4 +284,5 @@ def _packed(scene: Scene, body: Any) -> Any:
     )
     walls = records(scene.walls, Shape())
     meetings = np.array(scene.meetings, float)
-    return body.Scene(rows(scene.balls), meetings, walls, felt, *rules, room, scene.celled, grid)
+    first = rows(scene.balls), meetings, walls, felt, *rules, room
+    return body.Scene(*first, scene.celled, grid, scene.lines)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib.util
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
-from math import inf
+from math import inf, nan
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -34,7 +34,7 @@ _numbers = attrgetter(*NUMBERS)
 class Outcomes(NamedTuple):
     """What `simulate_many` returns, as arrays.
 
-    positions: (shots, balls, 2) at rest, m.
+    positions: (shots, balls, 2) at rest, m; NaN for a ball in a pocket.
     times: (shots,) until rest, s.
     events: (shots,), how many there were.
     """
@@ -218,6 +218,11 @@ class Job(NamedTuple):
         return np.array(rests).reshape(shots, balls, 2), np.array(times), np.array(counts, np.int64)
 
 
+def _rest(ball: Ball) -> tuple[float, float]:
+    """Where it lies, as `Outcomes` has it."""
+    return (nan, nan) if ball.phase == "pocketed" else ball.position
+
+
 class OneByOne(NamedTuple):
     """The same for an engine or a law for clusters that has no batches: world after world."""
 
@@ -231,7 +236,7 @@ class OneByOne(NamedTuple):
         import numpy as np
 
         worlds = [simulate(self.world, self.ball, Shot(*row)) for row in table.tolist()]
-        rests = np.array([[ball.position for ball in after.balls] for after in worlds])
+        rests = np.array([[_rest(ball) for ball in after.balls] for after in worlds])
         return (
             rests.reshape(-1, len(self.world.balls), 2),
             np.array([after.time - self.world.time for after in worlds]),

@@ -11,12 +11,12 @@ from math import sqrt
 from typing import Any
 
 from physics.engines.engine import Movable
-from physics.kernel.kinds import CUSHION, PAIR, RESTING, SLIDING
+from physics.kernel.kinds import CUSHION, OFF, PAIR, RESTING, SLIDING
 from physics.kernel.motion import length
-from physics.kernel.obstacle import clearance, facing
+from physics.kernel.obstacle import POCKET, clearance, facing
 from physics.kernel.tilt import between
 
-from .overlap import catch_up, kept, mark, note
+from .overlap import catch_up, drop, kept, launch, mark, note
 
 WALL_RESTITUTION = 0.9
 WALL_FRICTION = (0.2, 0.5)  # multiplied one after the other
@@ -35,6 +35,10 @@ def start(world: Movable, disturbed: list[int]) -> None:
     """Placed or pushed balls, and all others with them, are at a substep's start."""
     catch_up(world)
     for i, ball in enumerate(world.scene.balls):
+        if ball.height < 0.0:  # it is gone
+            launch(ball, world.scene.cloth)
+            mark(world, i)
+            continue
         roll, side = ball.roll, ball.side
         w = 1j * (roll / ball.radius)
         begin(ball, 0j, w, side / ball.radius)
@@ -73,15 +77,25 @@ def substep(world: Movable, time: float, dt: float, k: int) -> None:
             travel(ball, dt)
         ball.since = time
     for i, ball in enumerate(balls):
+        if ball.phase >= OFF:
+            continue
         for j in range(i + 1, len(balls)):
+            if balls[j].phase >= OFF:
+                continue
             offset = ball.position - balls[j].position
             if between(ball, balls[j], offset) <= ball.radius + balls[j].radius:
                 meet(world, time, dt, i, j)
         for n, wall in enumerate(world.scene.walls):
-            if abs(clearance(wall, ball.position, 0.0)) < ball.radius:
+            if wall.kind == POCKET:
+                if clearance(wall, ball.position, 0.0) < 0.0:
+                    drop(world, time, i, n)
+                    break
+            elif abs(clearance(wall, ball.position, 0.0)) < ball.radius:
                 bounce(world, time, dt, i, n)
     rate = per_second(dt)
     for i, ball in enumerate(balls):
+        if ball.phase >= OFF:
+            continue
         w, wz = spin(ball)
         a, alpha, alpha_z = forces(ball, w, wz, dt, rate)
         begin(ball, a, w, wz)

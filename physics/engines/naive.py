@@ -12,7 +12,7 @@ from math import inf
 from typing import Any, NamedTuple
 
 from physics.engines.engine import Movable
-from physics.kernel.kinds import RESTING, ROLLING
+from physics.kernel.kinds import PHASES, ROLLING
 from physics.kernel.motion import faded, motion
 
 from .overlap import bring, catch_up, contacts, end_phase, kept, launch, mark, touching
@@ -66,13 +66,13 @@ def start(world: Movable, disturbed: list[int]) -> None:
     for i in disturbed:
         launch(world.scene.balls[i], world.scene.cloth)
     for i, ball in enumerate(world.scene.balls):
-        if ball.phase != RESTING or i in disturbed:
+        if not PHASES[ball.phase].lies or i in disturbed:
             mark(world, i)
 
 
 def trial(ball: Any, h: float, cloth: Any, integrator: Integrator) -> Motion:
     """The ball's motion h seconds after its step's start."""
-    if ball.phase == RESTING or h == 0.0:
+    if PHASES[ball.phase].lies or h == 0.0:
         return Motion(ball.position, ball.velocity, ball.roll)
     rate = partial(friction, cloth)
     return integrator(Motion(ball.position, ball.velocity, ball.roll), h, rate)
@@ -82,7 +82,7 @@ def move(world: Movable, time: float, integrator: Integrator) -> None:
     """Move all balls to `time`."""
     cloth = world.scene.cloth
     for i, ball in enumerate(world.scene.balls):
-        if ball.phase == RESTING:
+        if PHASES[ball.phase].lies:
             continue
         h = time - ball.since
         ball.position, ball.velocity, ball.roll = trial(ball, h, cloth, integrator)
@@ -103,7 +103,7 @@ def substep(world: Movable, time: float, ahead: float, k: int, integrator: Integ
     contacts(world, time)
     if kept(k, ahead):
         for i, ball in enumerate(world.scene.balls):
-            if ball.phase != RESTING:
+            if not PHASES[ball.phase].lies:
                 mark(world, i)
 
 

@@ -5,10 +5,10 @@ from typing import Any
 
 from physics.engines.engine import Movable
 from physics.kernel.body import Scene
-from physics.kernel.kinds import CUSHION, PAIR, REST, RESTING, ROLL
+from physics.kernel.kinds import CUSHION, DROP, OFF, PAIR, REST, RESTING, ROLL
 from physics.kernel.laws import hit_ball, hit_wall
 from physics.kernel.leg import begin, carry, end, place
-from physics.kernel.obstacle import clearance, facing
+from physics.kernel.obstacle import POCKET, clearance, facing
 from physics.kernel.tilt import between
 
 KEEP = 1 / 2000  # s between legs in the log: every leg of a finer grid would fill the memory
@@ -53,14 +53,19 @@ def end_phase(world: Movable, time: float, i: int) -> None:
 def touching(
     scene: Scene, spots: list[complex], speed: Callable[[int], complex]
 ) -> Iterator[tuple[int, int, int]]:
-    """(PAIR, ball, ball) or (CUSHION, ball, wall), in order, where two overlap and approach.
+    """(PAIR, ball, ball), (CUSHION, ball, wall) or (DROP, ball, pocket), in order, where two
+    overlap and approach.
 
     The balls are at `spots`; ball i's velocity is speed(i), asked each time: a contact found here
     may have changed it by then.
     """
     balls = scene.balls
     for i, (ball, p) in enumerate(zip(balls, spots, strict=True)):
+        if ball.phase >= OFF:
+            continue
         for j in range(i + 1, len(balls)):
+            if balls[j].phase >= OFF:
+                continue
             line, reach = spots[j] - p, ball.radius + balls[j].radius
             if (
                 line.real * line.real + line.imag * line.imag <= reach * reach
@@ -71,6 +76,11 @@ def touching(
         if ball.phase == RESTING:
             continue
         for k, wall in enumerate(scene.walls):
+            if wall.kind == POCKET:
+                if clearance(wall, p, 0.0) <= 0.0:
+                    yield DROP, i, k
+                    break
+                continue
             # beyond the wall counts as overlap: only a wall's back would let a ball escape
             if (
                 clearance(wall, p, ball.radius) <= 0.0
@@ -90,7 +100,7 @@ def contacts(world: Movable, time: float) -> None:
 
     spots = [place(ball, time - ball.since) for ball in balls]
     for kind, i, other in touching(world.scene, spots, speed):
-        (meet if kind == PAIR else bounce)(world, time, i, other)
+        HAPPENS[kind](world, time, i, other)
 
 
 def bring(world: Movable, time: float, i: int) -> Any:
@@ -120,3 +130,14 @@ def bounce(world: Movable, time: float, i: int, k: int) -> None:
     launch(ball, scene.cloth)
     mark(world, i)
     note(world, time, CUSHION, i, k)
+
+
+def drop(world: Movable, time: float, i: int, k: int) -> None:
+    """Ball i falls into pocket k."""
+    end(bring(world, time, i), DROP)
+    launch(world.scene.balls[i], world.scene.cloth)
+    mark(world, i)
+    note(world, time, DROP, i, k)
+
+
+HAPPENS = {PAIR: meet, CUSHION: bounce, DROP: drop}

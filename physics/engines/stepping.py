@@ -10,7 +10,7 @@ from physics.checks import keep, nonnegative, positive
 from physics.engines.engine import Movable
 from physics.engines.exact import EventBudgetError
 from physics.files.record import planned_data
-from physics.kernel.kinds import RESTING
+from physics.kernel.kinds import PHASES
 from physics.kernel.leg import carry
 
 from . import literal, naive
@@ -43,7 +43,7 @@ def notice(world: Movable, time: float, ahead: float, k: int) -> None:
 def change_phase(world: Movable, time: float, ahead: float, k: int) -> None:
     """Sliding ends in rolling, and rolling in rest, within a substep."""
     for i, ball in enumerate(world.scene.balls):
-        if ball.leg_end <= time and ball.phase != RESTING:
+        if ball.leg_end <= time and not PHASES[ball.phase].lies:
             carry(ball, time, world.scene.cloth)
             end_phase(world, time, i)
 
@@ -87,7 +87,7 @@ class TimeStepping:
 
     def plan(self, world: Movable, disturbed: list[int]) -> None:
         for ball in world.balls:
-            if not ball.on_cloth:
+            if not (ball.on_cloth or ball.gone):
                 raise ValueError(f"{ball!r}: fixed steps know only balls on the table")
         SCHEMES[self.scheme].start(world, disturbed)
         world.due = self._grid(world, 0) if _moving(world) else inf
@@ -133,4 +133,4 @@ class TimeStepping:
 
 
 def _moving(world: Movable) -> bool:
-    return any(ball.phase != RESTING for ball in world.scene.balls)
+    return any(not PHASES[ball.phase].lies for ball in world.scene.balls)

@@ -17,8 +17,9 @@ from physics.engines import exact, stepping
 from physics.kernel.body import Body
 from physics.kernel.kinds import PHASE_NAMES
 from physics.kernel.leg import place, risen
+from physics.post import OBSTACLES
 from physics.shot import Shot
-from physics.wall import OBSTACLES, Obstacle, Wall
+from physics.wall import Obstacle, Point, Wall
 from physics.world import World
 
 from .record import (
@@ -147,6 +148,10 @@ class Node:
     def complex(self) -> complex:
         return complex(*vector(self.where, [node.number() for node in self.items()], 2))
 
+    def point(self) -> Point:
+        z = self.complex()
+        return z.real, z.imag
+
     def truth(self) -> bool:
         if not isinstance(self.value, bool):
             raise ValueError(f"{self.where} must be true or false, not {self.value!r:.60}")
@@ -158,7 +163,9 @@ class Node:
         return self.value
 
 
-READS: dict[Any, Callable[[Node], Any]] = {complex: Node.complex, float: Node.number}
+READS: dict[Any, Callable[[Node], Any]] = {
+    complex: Node.complex, float: Node.number, Point: Node.point
+}  # fmt: skip
 
 
 def _world(node: Node) -> World:

@@ -15,6 +15,7 @@ from .kinds import (
     NOTHING,
     OFF,
     PAIR,
+    POCKETED,
     REST,
     RESTING,
     ROLL,
@@ -24,8 +25,8 @@ from .lasting import FEW, NEVER, forget, lean, leans, meets_slowly, rests_on
 from .laws import hit_ball, hit_wall
 from .leg import begin, carry, end, reach
 from .motion import length
-from .obstacle import clearance, facing, meet_first, meet_first_aloft
-from .subset import complex, inf, kernel, whole
+from .obstacle import facing, holds, meet_any, meet_first, meet_first_aloft
+from .subset import complex, inf, kernel, nan, whole
 
 UNKNOWN = -1
 INSTANT = 1e-8  # s: no contact of real balls is so short; a leg that short goes nowhere
@@ -42,7 +43,10 @@ def start_leg(i, scene):
     if ball.phase == AIRBORNE:
         lasts = meet_first_aloft(ball, scene.walls, scene.cushion_rule, lasts)
     elif RESTING < ball.phase < OFF:
-        lasts = meet_first(ball, scene.walls, lasts)
+        if scene.lines:
+            lasts = meet_first(ball, scene.walls, lasts)
+        else:
+            lasts = meet_any(ball, scene.walls, lasts)
     ball.leg_end = ball.since + lasts
     reach(ball, lasts)
     if scene.celled:
@@ -201,7 +205,7 @@ def release(ball, walls, parting):
     """
     out, normal = 0j, 1.0 + 0j
     for k in range(len(walls)):
-        if clearance(walls[k], ball.position, ball.radius) < TOUCHING * ball.radius:
+        if holds(walls[k], ball.position, ball.radius, TOUCHING * ball.radius):
             normal = facing(walls[k], ball.position)
             out += normal
     size = length(out)
@@ -335,5 +339,6 @@ def many(starts, rests, times, counts, budget, scene):
         plan(scene)
         counts[s], times[s] = advance(inf, budget, scene)
         for i in range(len(balls)):
-            rests[s][i][X] = balls[i].position.real
-            rests[s][i][Y] = balls[i].position.imag
+            down = balls[i].phase == POCKETED
+            rests[s][i][X] = balls[i].position.real if not down else nan
+            rests[s][i][Y] = balls[i].position.imag if not down else nan

@@ -14,13 +14,14 @@ class Phase(NamedTuple):
     gone: bool = False  # has it left the table?  Then nothing ever does
 
 
-RESTING, ROLLING, SLIDING, AIRBORNE, OFF = 0, 1, 2, 3, 4
+RESTING, ROLLING, SLIDING, AIRBORNE, OFF, POCKETED = 0, 1, 2, 3, 4, 5
 PHASES = (  # first those on the cloth, then those in the air, then those that are gone
     Phase("resting", lies=True),
     Phase("rolling"),
     Phase("sliding"),
     Phase("airborne"),
     Phase("off", lies=True, gone=True),
+    Phase("pocketed", lies=True, gone=True),
 )
 PHASE_NAMES = {number: phase.name for number, phase in enumerate(PHASES)}
 
@@ -34,7 +35,7 @@ class Kind(NamedTuple):
     contact: bool = False  # do they push each other?
 
 
-ROLL, REST, LAND, LEAVE, CUSHION, PAIR = 0, 1, 2, 3, 4, 5
+ROLL, REST, LAND, LEAVE, CUSHION, PAIR, DROP = 0, 1, 2, 3, 4, 5, 6
 KINDS = (
     Kind("roll"),
     Kind("rest"),
@@ -42,6 +43,7 @@ KINDS = (
     Kind("off", "wall"),
     Kind("cushion", "wall", closes=True, contact=True),
     Kind("ball", "ball", closes=True, contact=True),
+    Kind("pocket", "wall"),
 )
 # What happens at an instant may also be many of these, or none; and for some nothing was found.
 CLUSTER, LASTING, NOTHING, UNSOLVED = 10, 11, 12, 13

@@ -25,7 +25,7 @@ from .laws import (
 )
 from .leg import carry, place
 from .motion import length, motion
-from .obstacle import clearance, facing
+from .obstacle import clearance, facing, holds
 from .subset import complex, inf, kernel, room, sqrt
 from .tilt import tilt, touching_distance
 
@@ -116,7 +116,7 @@ def gather_slow(i, j, time, held, balls, ties, walls, grid, slide):
         for k in range(len(walls)):
             if (m == 0 and j == WALL - k) or contacts == CONTACTS * len(balls):
                 continue
-            if clearance(walls[k], here, balls[a].radius) > near * balls[a].radius:
+            if not holds(walls[k], here, balls[a].radius, near * balls[a].radius):
                 continue
             room(ties, contacts + 1)
             join(a, WALL - k, ties.contacts[contacts])

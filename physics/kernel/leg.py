@@ -5,11 +5,12 @@ and is a matter of its phase (kinds.py): `begin` finds the phase, `moved` goes a
 it.
 """
 
-from .kinds import AIRBORNE, LAND, LEAVE, OFF, RESTING, ROLL, ROLLING
+from .kinds import AIRBORNE, DROP, LAND, LEAVE, OFF, POCKETED, RESTING, ROLL, ROLLING
 from .motion import faded, motion
 from .subset import inf, kernel, sqrt
 
 BELOW = -1.0  # m: the height of a ball that has left the table
+DOWN = -2.0  # m: and of one in a pocket
 
 
 @kernel
@@ -61,7 +62,7 @@ def begin(ball, cloth):
     if ball.height != 0.0 or ball.climb != 0.0:  # `aloft`, which every leg would call
         ball.acceleration, ball.fall = 0j, 0.0
         if ball.height < 0.0:
-            ball.phase = OFF
+            ball.phase = OFF if ball.height > DOWN else POCKETED
             return inf
         ball.phase, ball.ending, ball.fall = AIRBORNE, LAND, cloth.gravity
         return first_fall(ball.height, ball.climb, -cloth.gravity)
@@ -106,15 +107,15 @@ def end(ball, kind):
         if ball.phase == ROLLING:
             ball.velocity = 0j
         ball.roll = ball.velocity
-    elif kind == LEAVE:
+    elif kind in (LEAVE, DROP):
         ball.velocity, ball.roll, ball.side = 0j, 0j, 0.0
-        ball.height, ball.climb, ball.fall = BELOW, 0.0, 0.0
+        ball.height, ball.climb, ball.fall = DOWN if kind == DROP else BELOW, 0.0, 0.0
 
 
 @kernel
 def reach(ball, lasts):
     """The box that the ball sweeps on its leg: the whole plane if the leg never ends, nothing if
-    the ball is off the table."""
+    the ball is gone."""
     p, r = ball.position, ball.radius
     if ball.phase == RESTING:
         ball.west, ball.east, ball.south, ball.north = (

@@ -1,41 +1,104 @@
 """What stands on a table: how far it is, with what normal it meets a ball, and when.
 
-Nothing else knows what an obstacle looks like. `Wall` (wall.py) is one with a name, and answers the
-same way.
+Nothing else knows what an obstacle looks like. `Wall` (wall.py) and its like are obstacles with a
+name, and answer the same way.
 """
 
 from dataclasses import dataclass
 
-from .contact import contact_time
-from .kinds import CUSHION, LEAVE
+from .contact import contact_time, rise_time
+from .kinds import CUSHION, DROP, LAND, LEAVE
 from .leg import first_fall, travelled
-from .subset import complex, kernel
+from .motion import length
+from .subset import complex, inf, kernel
+
+LINE, SEGMENT, ARC, POST, POCKET = 0, 1, 2, 3, 4
 
 
 @dataclass(slots=True, eq=False)
 class Shape:
-    """A line: the table is where (inward * p).real > offset."""
+    """What it is, and its numbers.
+
+    Of a line, the table is where (inward * p).real > offset. A segment is a part of a line, an arc
+    of a circle: both have two sides and two ends. A post is a disc in the way, a pocket a hole that
+    a ball falls into when its centre is over it.
+    """
 
     normal: complex = 1 + 0j
     offset: float = 0.0
     inward: complex = 1 - 0j  # the conjugate normal: (inward * v).real is the speed away from it
+    kind: int = 0
+    size: float = 0.0  # a segment's length, the radius of what is round
+    centre: complex = 0j  # of what is round
+    first: complex = 0j  # the ends of a segment or an arc
+    last: complex = 0j
+    middle: complex = 1 + 0j  # the direction from an arc's centre to its middle
+    span: float = -1.0  # and the cosine of half of its angle
 
 
 @kernel
 def clearance(wall, p, radius):
-    """How far a ball at p is from touching it on the cloth; below 0 in it or behind it."""
-    return (wall.inward * p).real - wall.offset - radius
+    """How far a ball at p is from touching it on the cloth; below 0 in it or behind a line.
+
+    Of a pocket, how far the ball's centre is from its rim.
+    """
+    if wall.kind == LINE:
+        return (wall.inward * p).real - wall.offset - radius
+    if wall.kind == POCKET:
+        return length(p - wall.centre) - wall.size
+    if wall.kind == POST:
+        return length(p - wall.centre) - wall.size - radius
+    if not beside(wall, p):
+        return min(length(p - wall.first), length(p - wall.last)) - radius
+    if wall.kind == SEGMENT:
+        return abs((wall.inward * p).real - wall.offset) - radius
+    return abs(length(p - wall.centre) - wall.size) - radius
 
 
 @kernel
 def facing(wall, p):
     """The direction, of length 1, in which it pushes a ball at p."""
-    return wall.normal
+    if wall.kind == LINE:
+        return wall.normal
+    if wall.kind >= POST:
+        return unit(p - wall.centre)
+    if not beside(wall, p):
+        first, last = p - wall.first, p - wall.last
+        return unit(first if length(first) < length(last) else last)
+    if wall.kind == SEGMENT:
+        return wall.normal if (wall.inward * p).real >= wall.offset else -wall.normal
+    q = p - wall.centre
+    return -unit(q) if length(q) <= wall.size else unit(q)
+
+
+@kernel
+def unit(z):
+    """Its direction; any, if it has none."""
+    far = length(z)
+    return 1.0 / far * z if far > 0.0 else 1.0 + 0.0 * z
+
+
+@kernel
+def beside(wall, p):
+    """Is the point beside the line, the segment or the arc, and not beyond its ends?"""
+    if wall.kind == SEGMENT:
+        along = (wall.inward * (wall.first - p)).imag
+        return 0.0 <= along <= wall.size
+    if wall.kind == ARC:
+        q = p - wall.centre
+        return (wall.middle.conjugate() * q).real >= wall.span * length(q)
+    return wall.kind == LINE
+
+
+@kernel
+def holds(wall, p, radius, near):
+    """Does it keep a ball at p, no farther away than `near`, from going on?  No pocket does."""
+    return wall.kind != POCKET and clearance(wall, p, radius) <= near
 
 
 @kernel
 def farthest(wall, p, v, a, t):
-    """The greatest clearance that a point on that path has within t."""
+    """The greatest clearance that a point on that path has within t, of a line."""
     inward = wall.inward
     out, pull, gained = (inward * v).real, (inward * a).real, 0.0
     if out > 0.0:  # or else it is farthest at the start, or where the next leg starts
@@ -46,8 +109,8 @@ def farthest(wall, p, v, a, t):
 
 @kernel
 def meet_first(ball, walls, lasts):
-    """Which obstacle the ball meets first on its leg, if it does within `lasts`; returns how long
-    the leg lasts now."""
+    """Which of these lines the ball meets first on its leg, if it does within `lasts`; returns how
+    long the leg lasts now."""
     p, v, a, radius = ball.position, ball.velocity, ball.acceleration, ball.radius
     for k in range(len(walls)):
         wall = walls[k]
@@ -64,29 +127,187 @@ def meet_first(ball, walls, lasts):
 
 
 @kernel
-def meet_first_aloft(ball, walls, rule, lasts):
-    """The same in the air: which nose it hits, or which cushion it passes over."""
+def meet_any(ball, walls, lasts):
+    """The same of obstacles of all kinds."""
+    p, v, a, radius = ball.position, ball.velocity, ball.acceleration, ball.radius
     for k in range(len(walls)):
         wall = walls[k]
-        across, above = nose(wall, ball.position, ball.radius, ball.height, rule)
-        speed = (wall.inward * ball.velocity).real
-        wait = contact_time(
-            complex(across, -above), complex(speed, ball.climb), complex(0.0, -ball.fall),
-            ball.radius, lasts,
-        )  # fmt: skip
+        if wall.kind == LINE:
+            inward = wall.inward
+            gap = (inward * p).real - wall.offset - radius
+            wait = first_fall(gap, (inward * v).real, (inward * a).real)
+        else:
+            wait = touch(wall, p, v, a, radius, lasts)
+        if wait < lasts:
+            lasts, ball.goal = wait, k
+            ball.ending = DROP if wall.kind == POCKET else CUSHION
+    return lasts
+
+
+@kernel
+def touch(wall, p, v, a, radius, horizon):
+    """When a ball on that path meets what has an end, if before the horizon; else inf."""
+    if wall.kind == POCKET:
+        return contact_time(wall.centre - p, -v, -a, wall.size, horizon)
+    if wall.kind == SEGMENT:
+        wait = meet_side(wall, p, v, a, radius)
+        return min(wait, meet_round(wall, p, v, a, radius, min(wait, horizon)))
+    return meet_round(wall, p, v, a, radius, horizon)
+
+
+@kernel
+def meet_round(wall, p, v, a, radius, horizon):
+    """When it meets a post, the sides of an arc, or the ends of an arc or a segment."""
+    if wall.kind == POST:
+        return contact_time(wall.centre - p, -v, -a, wall.size + radius, horizon)
+    if wall.kind == ARC:
+        wait = min(
+            meet_inside(wall, p, v, a, wall.size - radius, horizon),
+            meet_outside(wall, p, v, a, wall.size + radius, horizon),
+        )
+        horizon = min(horizon, wait)
+    else:
+        wait = inf
+    wait = min(wait, contact_time(wall.first - p, -v, -a, radius, horizon))
+    return min(wait, contact_time(wall.last - p, -v, -a, radius, horizon))
+
+
+@kernel
+def meet_side(wall, p, v, a, radius):
+    """When the ball meets one of the two sides of a segment, and not its ends."""
+    far = (wall.inward * p).real - wall.offset
+    speed, bend = (wall.inward * v).real, (wall.inward * a).real
+    wait = come_down(far, speed, bend, radius)
+    if wait < inf and not beside(wall, travelled(p, v, a, wait)):
+        wait = inf
+    back = come_down(-far, -speed, -bend, radius)
+    if back < wait and beside(wall, travelled(p, v, a, back)):
+        return back
+    return wait
+
+
+@kernel
+def come_down(far, speed, bend, radius):
+    """When a ball comes down on this side of a line that it is so far from: a parabola does so
+    once.
+
+    One that is behind the line has to come out first.
+    """
+    gap = far - radius
+    if far <= 0.0 and (speed <= 0.0 or bend >= 0.0 or speed * speed <= 2.0 * bend * gap):
+        return inf
+    return first_fall(gap, speed, bend)
+
+
+@kernel
+def meet_inside(wall, p, v, a, reach, horizon):
+    """When the centre, within the arc's circle, gets as far out as `reach` beside the arc.
+
+    A path crosses a circle four times at most: through the gap of the arc, out and in again.
+    """
+    time = 0.0
+    for turn in range(2):
+        q, w = travelled(p, v, a, time) - wall.centre, v + time * a
+        if turn == 1 or length(q) > wall.size:  # it has to come in first
+            time += contact_time(-q, -w, -a, reach, horizon - time)
+            if time >= horizon:
+                return inf
+            q, w = travelled(p, v, a, time) - wall.centre, v + time * a
+        time += rise_time(q, w, a, reach, horizon - time)
+        if time >= horizon or beside(wall, travelled(p, v, a, time)):
+            return time
+    return inf
+
+
+@kernel
+def meet_outside(wall, p, v, a, reach, horizon):
+    """The same from behind the arc: when the centre gets as near as `reach`."""
+    time = 0.0
+    for turn in range(2):
+        q, w = travelled(p, v, a, time) - wall.centre, v + time * a
+        if turn == 1 or length(q) <= wall.size:  # it has to go out first
+            time += rise_time(q, w, a, reach, horizon - time)
+            if time >= horizon:
+                return inf
+            q, w = travelled(p, v, a, time) - wall.centre, v + time * a
+        time += contact_time(-q, -w, -a, reach, horizon - time)
+        if time >= horizon or beside(wall, travelled(p, v, a, time)):
+            return time
+    return inf
+
+
+@kernel
+def meet_first_aloft(ball, walls, rule, lasts):
+    """In the air: which nose it hits, which cushion it passes over, or which pocket it comes down
+    in."""
+    for k in range(len(walls)):
+        wall = walls[k]
+        if wall.kind <= SEGMENT:
+            wait, over = meet_nose(wall, ball, rule, lasts)
+        else:
+            wait, over = inf, pass_over(wall, ball, lasts)
+        if wall.kind != LINE and wall.kind != POCKET:
+            wait = min(wait, meet_upright(wall, ball, rule, min(wait, lasts)))
         if wait < lasts:
             lasts, ball.goal, ball.ending = wait, k, CUSHION
-        if speed < 0.0:
-            wait = max(0.0, -across / speed)
-            if wait < lasts:
-                lasts, ball.goal, ball.ending = wait, k, LEAVE
+        if over < lasts:
+            lasts, ball.goal, ball.ending = over, k, LEAVE
+    if ball.ending == LAND:
+        spot = ball.position + lasts * ball.velocity
+        for k in range(len(walls)):
+            if walls[k].kind == POCKET and clearance(walls[k], spot, 0.0) < 0.0:
+                ball.goal, ball.ending = k, DROP
     return lasts
+
+
+@kernel
+def meet_nose(wall, ball, rule, lasts):
+    """When a ball in the air hits the nose of a line or a segment, and when it passes over it, out
+    of the table: each before `lasts`, or inf."""
+    p, v, radius = ball.position, ball.velocity, ball.radius
+    gap, speed = (wall.inward * p).real - wall.offset - radius, (wall.inward * v).real
+    behind = wall.kind == SEGMENT and gap + radius < 0.0
+    if behind:
+        gap, speed = -(gap + radius) - radius, -speed
+    across, above = gap + radius * rule.level, radius * rule.height - ball.height
+    wait = contact_time(
+        complex(across, -above), complex(speed, ball.climb), complex(0.0, -ball.fall), radius, lasts
+    )
+    if wait < lasts and not beside(wall, p + wait * v):
+        wait = inf
+    over = max(0.0, -across / speed) if speed < 0.0 and not behind else inf
+    if over < lasts and not beside(wall, p + over * v):
+        over = inf
+    return wait, over
+
+
+@kernel
+def pass_over(wall, ball, lasts):
+    """When a ball in the air passes over an arc, out of its circle."""
+    p, v = ball.position, ball.velocity
+    if wall.kind != ARC or length(p - wall.centre) > wall.size:
+        return inf
+    over = rise_time(p - wall.centre, v, 0j, wall.size, lasts)
+    return over if over < lasts and beside(wall, p + over * v) else inf
+
+
+@kernel
+def meet_upright(wall, ball, rule, lasts):
+    """When a ball in the air hits what is round, which stands upright as high as a nose."""
+    wait = meet_round(wall, ball.position, ball.velocity, 0j, ball.radius, lasts)
+    if wait >= lasts:
+        return inf
+    height = travelled(ball.height, ball.climb, -ball.fall, wait)
+    return wait if height < ball.radius * (1.0 + rule.height) else inf
 
 
 @kernel
 def nose(wall, p, radius, height, rule):
     """How far the centre is from the nose of the cushion, across, and the nose above the centre.
 
-    On the table a ball touches it at `rule.height` radii above the centre.
+    On the table a ball touches it at `rule.height` radii above the centre. What is upright, it
+    meets level.
     """
-    return clearance(wall, p, radius) + radius * rule.level, radius * rule.height - height
+    if wall.kind <= SEGMENT and beside(wall, p):
+        return clearance(wall, p, radius) + radius * rule.level, radius * rule.height - height
+    return clearance(wall, p, radius) + radius, 0.0

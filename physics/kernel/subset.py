@@ -8,6 +8,7 @@ numbers.
 from builtins import complex as complex
 from collections.abc import Callable
 from math import inf as inf
+from math import nan as nan
 from math import sqrt as sqrt
 from typing import Any, TypeVar
 

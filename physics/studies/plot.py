@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from physics.log import Event
-from physics.wall import Obstacle
+from physics.room import inside
+from physics.wall import Obstacle, Wall
 from physics.world import World
 
 from .trace import trace
@@ -24,6 +25,7 @@ PLANE = 10.0  # m: the table, as far as no wall bounds it
 INK, PAPER, CLOTH, WOOD, NOSE = "#1C222B", "#FFFFFF", "#DFEAEF", "#C9AE94", "#5C3B27"
 BODIES = {"white": "#FFFFFF", "yellow": "#F2B90C", "red": "#D6202F"}
 DARK = {"white": "#4A5561", "yellow": "#9A6F00", "red": "#7E0E19"}
+FILLED = {"pocket": INK, "post": WOOD}
 OTHERS = ("#2A7FB8", "#2E9E5B", "#8A5BC7", "#D9702B", "#159AA0", "#B8478B")
 MARKS = {  # shape, size, word
     "cushion": ("s", 7, "cushion"),
@@ -75,23 +77,22 @@ def save(figure: "Figure", file: str | Path) -> None:
 
 
 def outline(walls: tuple[Obstacle, ...], out: float = 0.0) -> list[complex]:
-    """The corners of what lies inside all walls, each moved out by so many metres."""
-    corners = [complex(x, y) * PLANE for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-    for wall in walls:
-        corners = cut(corners, wall, out)
-    return corners
+    """The corners of the table, moved out by so many metres: of what lies inside all lines, or of
+    the box around all else, if there are none."""
+    lines = [wall for wall in walls if isinstance(wall, Wall)]
+    if lines or not walls:
+        return inside(lines, PLANE, out)
+    west, east, south, north = box(walls)
+    far = complex(out, out)
+    first, last = complex(west, south) - far, complex(east, north) + far
+    return [first, complex(last.real, first.imag), last, complex(first.real, last.imag)]
 
 
-def cut(corners: list[complex], wall: Obstacle, out: float) -> list[complex]:
-    """The part of a convex polygon that is inside the wall, moved out by so many metres."""
-    left: list[complex] = []
-    for p, q in pairwise([*corners, corners[0]] if corners else []):
-        a, b = (wall.distance((corner.real, corner.imag)) + out for corner in (p, q))
-        if a >= 0.0:
-            left.append(p)
-        if a * b < 0.0:
-            left.append(p + a / (a - b) * (q - p))
-    return left
+def box(walls: tuple[Obstacle, ...]) -> tuple[float, float, float, float]:
+    """West, east, south, north of all that is no line."""
+    spots = [spot for wall in walls for spot in wall.curve()]
+    xs, ys = [p.real for p in spots], [p.imag for p in spots]
+    return min(xs), max(xs), min(ys), max(ys)
 
 
 def extent(world: World) -> tuple[float, float, float, float]:
@@ -113,7 +114,8 @@ def lay_table(axes: "Axes", world: World) -> None:
         corners = outline(world.walls, out)
         axes.fill([p.real for p in corners], [p.imag for p in corners], fc=colour, ec=edge, lw=1.4)
     corners = outline(world.walls)
-    if len(corners) != 4 or abs(corners[0]) >= PLANE:
+    lay_obstacles(axes, world)
+    if len(corners) != 4 or abs(corners[0]) >= PLANE or not world.scene.lines:
         return
     sides = [*pairwise([*corners, corners[0]])]
     longest = max(abs(q - p) for p, q in sides)
@@ -122,6 +124,17 @@ def lay_table(axes: "Axes", world: World) -> None:
         for k in range(1, parts):
             spot = p + (q - p) * k / parts - 0.5j * RAIL * (q - p) / abs(q - p)
             axes.plot(spot.real, spot.imag, "D", ms=3, color=PAPER)
+
+
+def lay_obstacles(axes: "Axes", world: World) -> None:
+    """All that is no line: pockets, posts, segments and arcs."""
+    for wall in world.walls:
+        points = wall.curve()
+        x, y = [p.real for p in points], [p.imag for p in points]
+        if wall.kind in FILLED:
+            axes.fill(x, y, fc=FILLED[wall.kind], ec=NOSE, lw=1.4)
+        else:
+            axes.plot(x, y, color=NOSE, lw=1.4)
 
 
 # -- the balls -------------------------------------------------------------------------------------

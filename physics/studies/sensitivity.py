@@ -17,7 +17,7 @@ from physics.ball import Ball
 from physics.checks import nonnegative, vector
 from physics.engines.exact import EventDriven
 from physics.kernel.impulses import WALL
-from physics.kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, RESTING, ROLL
+from physics.kernel.kinds import AIRBORNE, CUSHION, DROP, KINDS, PAIR, RESTING, ROLL
 from physics.kernel.lasting import FEW
 from physics.log import Event
 from physics.shot import Shot, direction
@@ -163,7 +163,7 @@ class _Replay:
         motion = (leg.velocity, leg.roll, leg.side)
         slopes = _push(shot) if struck else (_zeros(),) * 3
         body = self.kernel.body.Body(ball.radius, ball.mass, ball.body.lift)
-        body.since, body.position = leg.since, Dual(leg.position, _zeros())
+        body.since, body.position, body.height = leg.since, Dual(leg.position, _zeros()), leg.height
         body.velocity, body.roll, body.side = map(Dual, motion, slopes)
         self._plan(body)
         return body
@@ -199,13 +199,14 @@ class _Replay:
                 yield EventSlope(event, slope(moment), _stack(before, pair), _stack(after, pair))
 
     def _moment(self, time: float, kind: int, i: int, other: int) -> Dual:
-        """When it happens: a contact when the gap, which depends on the shot, has closed."""
+        """When it happens: a contact when the gap, which depends on the shot, has closed, and a
+        fall into a pocket when the centre has come to its rim."""
         ball = self.balls[i]
-        if not KINDS[kind].closes:
+        if not KINDS[kind].other:
             end: Dual = ball.leg_end
             return end
         p, v = self._at(ball, time)
-        if kind == CUSHION:
+        if KINDS[kind].other == "wall":
             toward = self._facing(other, value(p)).conjugate()
         else:
             q, w = self._at(self.balls[other], time)
@@ -227,7 +228,7 @@ class _Replay:
     def _collide(self, kind: int, i: int, other: int, pairs: list[list[int]]) -> None:
         scene, laws, balls = self.scene, self.kernel.laws, self.balls
         if not KINDS[kind].contact:
-            self.kernel.leg.end(balls[i], ROLL)
+            self.kernel.leg.end(balls[i], kind if kind == DROP else ROLL)
         elif kind == CUSHION:
             normal = self._facing(other, balls[i].position)
             laws.hit_wall(balls[i], normal, scene.cushion_rule)

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from benchmarks import golden
-from physics import Ball, Shot, Wall, World, scenes, simulate, tables
+from physics import Ball, Pocket, Shot, Wall, World, scenes, simulate, tables
 from physics.kernel.kinds import KINDS, PHASES
 from physics.kernel.obstacle import clearance, facing, farthest
 
@@ -26,8 +26,15 @@ def a_hop():
     return simulate(world, "white", Shot(2.0, angle=10.0, climb=1.0))
 
 
+def into_a_pocket():
+    world = scenes.carom()
+    world.add(Pocket((-1.0, 0.0), 0.06, "hole"))
+    return simulate(world, "white", Shot(2.0, angle=180.0))
+
+
 LOGS = {**{name: lambda name=name: golden.play(name) for name in scenes.SCENES},
-        "over the cushion": over_the_cushion, "a hop": a_hop}  # fmt: skip
+        "over the cushion": over_the_cushion, "a hop": a_hop,
+        "into a pocket": into_a_pocket}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", LOGS)
@@ -55,11 +62,11 @@ def test_contacts_are_the_events_with_something_else_than_the_cloth(name):
 def test_a_ball_says_what_its_phase_is():
     after = over_the_cushion()
     rows = {phase.name: phase for phase in PHASES}
-    for world in (after, golden.play("carom"), scenes.carom()):
+    for world in (after, into_a_pocket(), golden.play("carom"), scenes.carom()):
         for ball in world.balls:
             row = rows[ball.phase]
             assert (ball.lies, ball.gone) == (row.lies, row.gone)
-            assert ball.on_cloth == (ball.phase not in ("airborne", "off"))
+            assert ball.on_cloth == (ball.phase not in ("airborne", "off", "pocketed"))
     assert after.ball("white").gone
     assert after.at_rest
 

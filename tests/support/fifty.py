@@ -30,7 +30,7 @@ def kernel() -> ModuleType:
     mpmath.mp.dps = DIGITS
     subset = ModuleType("physics.fifty_digit_kernel.subset")
     vars(subset).update(
-        kernel=lambda function: function, inf=mpmath.inf, sqrt=mpmath.sqrt,
+        kernel=lambda function: function, inf=mpmath.inf, nan=mpmath.nan, sqrt=mpmath.sqrt,
         elementary=lambda function: ELEMENTARY[function.__name__],
         complex=mpmath.mpc, custom_ball=_custom, custom_cushion=_custom,
         whole=lambda function: function, room=room,

@@ -1,0 +1,70 @@
+"""Is there room for one obstacle more: do the lines leave a table, and is no pocket in another?"""
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+from .kernel.motion import length
+from .post import Pocket
+from .wall import Obstacle, Wall
+
+OUT = 1e3  # times as far as any line: there a table that does not close ends
+REACHED = 1e-12  # of that: a line that is no farther away from the table bounds it
+
+
+def check_room(thing: Obstacle, others: Sequence[Obstacle]) -> None:
+    """ValueError, saying why, if the obstacle cannot stand among the others."""
+    if isinstance(thing, Wall):
+        _check_lines([other for other in others if isinstance(other, Wall)], thing)
+    elif isinstance(thing, Pocket):
+        for other in others:
+            if isinstance(other, Pocket) and _overlap(thing, other):
+                raise ValueError(f"the pockets {_called(thing)} and {_called(other)} overlap")
+
+
+def inside(lines: Iterable[Wall], far: float, out: float = 0.0) -> list[complex]:
+    """The corners of what lies inside all these lines, each moved out by so many metres, within a
+    square of half the side `far`, m."""
+    corners = [complex(x, y) * far for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    for line in lines:
+        corners = _cut(corners, line, out)
+    return corners
+
+
+def _cut(corners: list[complex], wall: Wall, out: float) -> list[complex]:
+    """The part of a convex polygon that is inside the wall, moved out by so many metres."""
+    left: list[complex] = []
+    for p, q in pairwise([*corners, corners[0]] if corners else []):
+        a, b = (wall.distance((corner.real, corner.imag)) + out for corner in (p, q))
+        if a >= 0.0:
+            left.append(p)
+        if a * b < 0.0:
+            left.append(p + a / (a - b) * (q - p))
+    return left
+
+
+def _check_lines(lines: list[Wall], new: Wall) -> None:
+    """A line has no end, so a table of lines has no corner that points inward: one that is meant
+    to have one would lose more than one of its walls."""
+    far = OUT * max(1.0, *(abs(line.distance((0.0, 0.0))) for line in (*lines, new)))
+    before, after = inside(lines, far), inside([*lines, new], far)
+    if not after:
+        raise ValueError(f"no place is inside all lines with {_called(new)}")
+    lost = [line for line in lines if _bounds(line, before, far) and not _bounds(line, after, far)]
+    if len(lost) > 1:
+        raise ValueError(
+            f"lines have no ends: behind {_called(new)} no ball can meet"
+            f" {' and '.join(map(_called, lost))}; use Wall.segment for walls that end"
+        )
+
+
+def _bounds(line: Wall, corners: list[complex], far: float) -> bool:
+    """Is one of the corners on the line?"""
+    return min(line.distance((p.real, p.imag)) for p in corners) <= REACHED * far
+
+
+def _overlap(a: Pocket, b: Pocket) -> bool:
+    return float(length(a.shape.centre - b.shape.centre)) < a.radius + b.radius
+
+
+def _called(thing: Obstacle) -> str:
+    return repr(thing.name) if thing.name else repr(thing)
