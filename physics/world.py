@@ -13,7 +13,8 @@ from .cloth import Cloth, a_cloth
 from .engines.engine import Engine, an_engine
 from .engines.exact import EventDriven
 from .files.record import foresees
-from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_scene, with_wall
+from .frame import framed
+from .kernel.body import Rule, Scene, grid, no_grid, no_ties, twin_scene
 from .kernel.kinds import PHASES
 from .log import Log
 from .parting import part
@@ -85,7 +86,7 @@ class World:
         elif isinstance(thing, Obstacle):
             check_room(thing, self._walls)
             self._walls.append(thing)
-            self.scene = with_wall(self.scene, thing.shape)
+            self.scene.walls.append(thing.shape)
         else:
             raise ValueError(f"a world takes a Ball or a Wall, Post or Pocket, not {thing!r}")
         self._clock.moved = True
@@ -331,8 +332,7 @@ class World:
     def run(self, until: float = inf) -> None:
         """Let time pass until all balls rest, or until world time `until`, s, that included."""
         self._refuse_laws("run")
-        if until != inf:
-            until = finite("World.run until", until)
+        until = until if until == inf else finite("World.run until", until)
         if until < self.time:
             raise ValueError(f"World.run until is {until!r}, before now, {self.time!r}")
         with self._guard():
@@ -393,8 +393,8 @@ class World:
 
     def _lay_grid(self) -> None:
         """Cells for many balls, in place of the table of all their meetings."""
+        self.scene = framed(self.scene)
         if len(self._balls) > FEW:
             self._disturb()
-            widest = max(ball.radius for ball in self._balls)
-            cells = grid([body.position for body in self.scene.balls], widest)
+            cells = grid([b.position for b in self.scene.balls], max(b.radius for b in self._balls))
             self.scene = self.scene._replace(celled=True, grid=cells, meetings=[])

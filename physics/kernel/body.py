@@ -174,6 +174,7 @@ class Scene(NamedTuple):
     celled: bool  # is the grid used?
     grid: Grid
     lines: bool = True  # are all walls lines?
+    frame: Any = ()  # in which only long walls matter, see kernel/obstacle.py
 
 
 def ties(balls: int) -> Ties:
@@ -215,12 +216,6 @@ def twin_grid(grid: Grid) -> Grid:
     """A copy of the cells."""
     seats = [Seat(*_places(seat)) for seat in grid.seats]
     return grid._replace(head=grid.head[:], seats=seats, tree=grid.tree[:], near=grid.near[:])
-
-
-def with_wall(scene: Scene, shape: Any) -> Scene:
-    """The scene with one obstacle more."""
-    scene.walls.append(shape)
-    return scene._replace(lines=all(wall.kind == 0 for wall in scene.walls))
 
 
 def twin_scene(scene: Scene, balls: list[Body]) -> Scene:
