@@ -10,12 +10,13 @@ from physics import World, laws
 
 from . import report
 from .crowds import gas
+from .pool import pool_break, pool_shot
 from .report import Report, duration
-from .switches import SMOOTH, SWITCHES, Package, Switch, count, fresh
+from .switches import POCKETS, SMOOTH, SWITCHES, Package, Switch, count, fresh
 from .timing import in_turns
 from .workload import break_shot, carom_shot
 
-WORK = ("pair solves", "box tests", "quadratics", "legs planned")
+WORK = ("pair solves", "box tests", "quadratics", "obstacles met", "legs planned")
 
 
 def smooth_break() -> World:
@@ -111,6 +112,9 @@ def main(arguments: list[str] | None = None) -> int:
     rows = compare("carom shot", carom_shot, SWITCHES, effort)
     if effort:
         rows += compare("break", break_shot, SWITCHES, effort)
+    rows += compare("pool shot", pool_shot, POCKETS, effort)
+    if effort:
+        rows += compare("pool break", pool_break, POCKETS, effort)
     rows += compare("break, smooth balls", smooth_break, (SMOOTH,), effort)
     rows += cells(effort)
     page.say(

@@ -101,6 +101,27 @@ def without_reach(package: Package) -> None:
     replace(package, obstacle.meet_first, meet_first)
 
 
+def without_frame(package: Package) -> None:
+    """Every leg asks all that stands on the table, and not only the long walls."""
+    replace(package, package.obstacle.meet_framed, lambda *_: -1.0)
+
+
+def without_boxes_of_walls(package: Package) -> None:
+    """What has an end is solved for also where the leg does not come near."""
+    obstacle = package.obstacle
+
+    def meet_any(ball: Any, walls: Any, lasts: float) -> float:
+        p, v, a = ball.position, ball.velocity, ball.acceleration
+        for k, wall in enumerate(walls):
+            wait = obstacle.touch(wall, p, v, a, ball.radius, lasts)
+            if wait < lasts:
+                lasts, ball.goal = wait, k
+                ball.ending = obstacle.DROP if wall.kind == obstacle.POCKET else obstacle.CUSHION
+        return lasts
+
+    replace(package, obstacle.meet_any, meet_any)
+
+
 def without_memory(package: Package) -> None:
     """After an event every ball is planned again, not only those that it touched."""
     calendar, happen = package.calendar, package.calendar.happen
@@ -207,6 +228,10 @@ SWITCHES = (
     Switch("no event where a spin ends", with_spin_events),
     Switch("the first five at once", everything),
 )
+POCKETS = (
+    Switch("only long walls within the frame", without_frame),
+    Switch("boxes around obstacles", without_boxes_of_walls),
+)
 SMOOTH = Switch("no friction between smooth balls", with_rubbing)
 
 
@@ -227,6 +252,7 @@ def count(package: Package, work: Counter[str]) -> None:
 
     counted(calendar.plan_meetings, "box tests", boxes)
     counted(grid.neighbours, "box tests", lambda near, *_: near)
+    counted(package.obstacle.touch, "obstacles met", lambda *_: 1)
     counted(package.contact.contact_time, "pair solves", lambda *_: 1)
     counted(package.contact.first_fall, "quadratics", lambda *_: 1)
     counted(calendar.start_leg, "legs planned", lambda *_: 1)

@@ -5,7 +5,7 @@ from typing import Any, ClassVar
 
 from .checks import keep, nonnegative, positive, vector
 from .kernel.obstacle import POCKET, POST, Shape
-from .wall import Arc, Obstacle, Point, Segment, Wall, rounded
+from .wall import Arc, Obstacle, Point, Segment, Wall, around, rounded
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +29,8 @@ class Post(Obstacle):
     def __post_init__(self) -> None:
         object.__setattr__(self, "at", vector("Post.at", self.at, 2))
         keep(self, nonnegative, "radius")
-        shape = Shape(kind=POST, size=self.radius, centre=complex(*self.at))
+        centre = complex(*self.at)
+        shape = Shape(kind=POST, size=self.radius, centre=centre, **around(centre, self.radius))
         object.__setattr__(self, "shape", shape)
 
     def curve(self) -> tuple[complex, ...]:
@@ -61,7 +62,8 @@ class Pocket(Obstacle):
     def __post_init__(self) -> None:
         object.__setattr__(self, "at", vector("Pocket.at", self.at, 2))
         keep(self, positive, "radius")
-        shape = Shape(kind=POCKET, size=self.radius, centre=complex(*self.at))
+        centre = complex(*self.at)
+        shape = Shape(kind=POCKET, size=self.radius, centre=centre, **around(centre, self.radius))
         object.__setattr__(self, "shape", shape)
 
     def curve(self) -> tuple[complex, ...]:

@@ -165,7 +165,11 @@ class Segment(Obstacle):
         normal = 1j * ((last - first) / size)
         normal /= length(normal)
         offset = 0.5 * (normal.conjugate() * (first + last)).real
-        shape = Shape(normal, offset, normal.conjugate(), SEGMENT, size, first=first, last=last)
+        shape = Shape(
+            normal, offset, normal.conjugate(), SEGMENT, size, first=first, last=last,
+            west=min(first.real, last.real), east=max(first.real, last.real),
+            south=min(first.imag, last.imag), north=max(first.imag, last.imag),
+        )  # fmt: skip
         object.__setattr__(self, "shape", shape)
 
     def curve(self) -> tuple[complex, ...]:
@@ -214,7 +218,7 @@ class Arc(Obstacle):
         span = direction(0.5 * angle).real if angle < 360.0 else -2.0  # all around, by rounding too
         shape = Shape(
             kind=ARC, size=self.radius, centre=centre, first=first, last=last,
-            middle=direction(self.start + 0.5 * angle), span=span,
+            middle=direction(self.start + 0.5 * angle), span=span, **around(centre, self.radius),
         )  # fmt: skip
         object.__setattr__(self, "shape", shape)
 
@@ -223,6 +227,14 @@ class Arc(Obstacle):
 
     def circles(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
         return ((self.shape.centre, self.radius - radius - gap),)
+
+
+def around(centre: complex, radius: float) -> dict[str, float]:
+    """The box around a circle."""
+    return {
+        "west": centre.real - radius, "east": centre.real + radius,
+        "south": centre.imag - radius, "north": centre.imag + radius,
+    }  # fmt: skip
 
 
 def rounded(

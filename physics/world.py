@@ -13,7 +13,8 @@ from .cloth import Cloth, a_cloth
 from .engines.engine import Engine, an_engine
 from .engines.exact import EventDriven
 from .files.record import foresees
-from .kernel.body import Rule, Scene, celled, no_grid, no_ties, twin_scene, with_wall
+from .frame import framed
+from .kernel.body import Rule, Scene, celled, no_grid, no_ties, twin_scene
 from .kernel.kinds import PHASES
 from .log import Log
 from .parting import part
@@ -85,7 +86,7 @@ class World:
         elif isinstance(thing, Obstacle):
             check_room(thing, self._walls)
             self._walls.append(thing)
-            self.scene = with_wall(self.scene, thing.shape)
+            self.scene.walls.append(thing.shape)
         else:
             raise ValueError(f"a world takes a Ball or a Wall, Post or Pocket, not {thing!r}")
         self._clock.moved = True
@@ -385,6 +386,7 @@ class World:
             fresh, dt = self._walls[self._checked :], getattr(self._engine, "dt", 0.0)
             check_places(self._balls, self._walls, fresh, self.scene.cushion_rule, dt)
             self.trust()
+            self.scene = framed(self.scene)
             if len(self._balls) > FEW:
                 self._disturb()
                 self.scene = celled(self.scene)

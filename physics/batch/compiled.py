@@ -285,4 +285,4 @@ def _packed(scene: Scene, body: Any) -> Any:
     walls = records(scene.walls, Shape())
     meetings = np.array(scene.meetings, float)
     first = rows(scene.balls), meetings, walls, felt, *rules, room
-    return body.Scene(*first, scene.celled, grid, scene.lines)
+    return body.Scene(*first, scene.celled, grid, scene.lines, np.array(scene.frame, int))

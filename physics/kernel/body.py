@@ -174,6 +174,7 @@ class Scene(NamedTuple):
     celled: bool  # is the grid used?
     grid: Grid
     lines: bool = True  # are all walls lines?
+    frame: Any = ()  # in which only long walls matter, see kernel/obstacle.py
 
 
 def ties(balls: int) -> Ties:
@@ -222,12 +223,6 @@ def celled(scene: Scene) -> Scene:
     widest = max(ball.radius for ball in scene.balls)
     cells = grid([ball.position for ball in scene.balls], widest)
     return scene._replace(celled=True, grid=cells, meetings=[])
-
-
-def with_wall(scene: Scene, shape: Any) -> Scene:
-    """The scene with one obstacle more."""
-    scene.walls.append(shape)
-    return scene._replace(lines=all(wall.kind == 0 for wall in scene.walls))
 
 
 def twin_scene(scene: Scene, balls: list[Body]) -> Scene:

@@ -25,7 +25,7 @@ from .lasting import FEW, NEVER, forget, lean, leans, meets_slowly, rests_on
 from .laws import hit_ball, hit_wall
 from .leg import begin, carry, end, reach
 from .motion import length
-from .obstacle import facing, holds, meet_any, meet_first, meet_first_aloft
+from .obstacle import facing, holds, meet_any, meet_first, meet_first_aloft, meet_framed
 from .subset import complex, inf, kernel, nan, whole
 
 UNKNOWN = -1
@@ -46,7 +46,8 @@ def start_leg(i, scene):
         if scene.lines:
             lasts = meet_first(ball, scene.walls, lasts)
         else:
-            lasts = meet_any(ball, scene.walls, lasts)
+            until = meet_framed(ball, scene.walls, scene.frame, lasts)
+            lasts = until if until >= 0.0 else meet_any(ball, scene.walls, lasts)
     ball.leg_end = ball.since + lasts
     reach(ball, lasts)
     if scene.celled:

@@ -8,11 +8,13 @@ from dataclasses import dataclass
 
 from .contact import contact_time, rise_time
 from .kinds import CUSHION, DROP, LAND, LEAVE
-from .leg import first_fall, travelled
+from .leg import first_fall, swept, travelled
 from .motion import length
 from .subset import complex, inf, kernel
 
 LINE, SEGMENT, ARC, POST, POCKET = 0, 1, 2, 3, 4
+NOBODY = -1
+MARGIN = 1e-4  # radii from the end of a rail, and of the speed across it: above all rounding
 
 
 @dataclass(slots=True, eq=False)
@@ -34,6 +36,10 @@ class Shape:
     last: complex = 0j
     middle: complex = 1 + 0j  # the direction from an arc's centre to its middle
     span: float = -1.0  # and the cosine of half of its angle
+    west: float = -inf  # a box around it
+    east: float = inf
+    south: float = -inf
+    north: float = inf
 
 
 @kernel
@@ -128,16 +134,19 @@ def meet_first(ball, walls, lasts):
 
 @kernel
 def meet_any(ball, walls, lasts):
-    """The same of obstacles of all kinds."""
+    """The same of obstacles of all kinds: those whose boxes the leg touches are asked."""
     p, v, a, radius = ball.position, ball.velocity, ball.acceleration, ball.radius
+    west, east, south, north = -inf, inf, -inf, inf
+    if lasts < inf:
+        q, r = travelled(p, v, a, lasts), (1.0 + MARGIN) * radius
+        west, east = swept(p.real, q.real, v.real, a.real, lasts)
+        south, north = swept(p.imag, q.imag, v.imag, a.imag, lasts)
+        west, east, south, north = west - r, east + r, south - r, north + r
     for k in range(len(walls)):
         wall = walls[k]
-        if wall.kind == LINE:
-            inward = wall.inward
-            gap = (inward * p).real - wall.offset - radius
-            wait = first_fall(gap, (inward * v).real, (inward * a).real)
-        else:
-            wait = touch(wall, p, v, a, radius, lasts)
+        if wall.west > east or wall.east < west or wall.south > north or wall.north < south:
+            continue
+        wait = touch(wall, p, v, a, radius, lasts)
         if wait < lasts:
             lasts, ball.goal = wait, k
             ball.ending = DROP if wall.kind == POCKET else CUSHION
@@ -145,8 +154,57 @@ def meet_any(ball, walls, lasts):
 
 
 @kernel
+def meet_framed(ball, walls, frame, lasts):
+    """The same where the ball stays inside the frame and meets no more than one of its sides, well
+    within a straight part of it: then nothing else has to be asked.  Below 0 where that is not
+    certain to the last bit.
+
+    The frame lists how many walls each side has, and their numbers (frame.py).
+    """
+    p, v, a, radius = ball.position, ball.velocity, ball.acceleration, ball.radius
+    margin, slow = MARGIN * radius, MARGIN * (abs(v.real) + abs(v.imag))
+    side, m = NOBODY, 0
+    if len(frame) == 0:
+        return -1.0
+    while m < len(frame):
+        wall = walls[frame[m + 1]]
+        inward = wall.inward
+        gap = (inward * p).real - wall.offset - radius
+        speed, bend = (inward * v).real, (inward * a).real
+        if gap < margin and (
+            gap < -margin or speed < slow or straight(walls, frame, m, p, margin) == NOBODY
+        ):
+            return -1.0  # behind it, along it, or in a mouth
+        if speed < 0.0 or (bend < 0.0 and speed + lasts * bend < 0.0):
+            wait = first_fall(gap, speed, bend)
+            if wait < lasts:
+                lasts, side = wait, m
+        m += frame[m] + 1
+    if side != NOBODY:
+        k = straight(walls, frame, side, travelled(p, v, a, lasts), margin)
+        if k == NOBODY or -(walls[k].inward * (v + lasts * a)).real < slow:
+            return -1.0
+        ball.goal, ball.ending = k, CUSHION
+    return lasts
+
+
+@kernel
+def straight(walls, frame, m, p, margin):
+    """Which wall of the side that is listed from m on has the point beside it, and no end near."""
+    for n in range(m + 1, m + 1 + frame[m]):
+        wall = walls[frame[n]]
+        along = (wall.inward * (wall.first - p)).imag
+        if wall.kind == LINE or margin <= along <= wall.size - margin:
+            return frame[n]
+    return NOBODY
+
+
+@kernel
 def touch(wall, p, v, a, radius, horizon):
-    """When a ball on that path meets what has an end, if before the horizon; else inf."""
+    """When a ball on that path meets it, if before the horizon; else that or later."""
+    if wall.kind == LINE:
+        gap = (wall.inward * p).real - wall.offset - radius
+        return first_fall(gap, (wall.inward * v).real, (wall.inward * a).real)
     if wall.kind == POCKET:
         return contact_time(wall.centre - p, -v, -a, wall.size, horizon)
     if wall.kind == SEGMENT:

@@ -1,11 +1,16 @@
 """Tables of any shape: no ball is lost, and all that plays shots knows them."""
 
+from collections import Counter
+from itertools import product
 from math import cos, hypot, pi, sin
 from random import Random
 
 import numpy as np
 import pytest
 
+from benchmarks import pool as pool_table
+from benchmarks.skips import go, planned, run
+from benchmarks.switches import POCKETS, count, fresh
 from physics import (
     Ball,
     Cloth,
@@ -79,27 +84,41 @@ def test_no_ball_escapes_from_a_concave_table(seed):
     assert after.at_rest
 
 
-def test_an_ell_keeps_its_balls():
+def ell() -> World:
+    """Six balls on a table with a corner that points inward, one on its way."""
     world = polygon(World(Cloth(roll=0.002), "rough", laws.RigidCushion(0.95, 0.1, 1.0)), ELL)
     for k in range(6):
         world.add(Ball(f"{k}", (0.2 + 0.3 * k, 0.3), radius=R))
-    after = simulate(world, "0", Shot(9.0, 45.0))
-    check_kept(after, ELL)
-    assert {e.wall for e in after.log if e.kind == "cushion"} >= {"c", "d"}
+    world.strike("0", Shot(9.0, 45.0))
+    return world
 
 
-def test_a_stadium_keeps_its_ball():
-    world = World(ICE, "rough", MIRROR)
+def stadium() -> World:
+    """Two straight walls and two half circles; cloth, so that the ball stops."""
+    world = World(Cloth(), "rough", MIRROR)
     world.add(Wall.segment((-0.5, -0.5), (0.5, -0.5), "south"))
     world.add(Wall.arc((0.5, 0.0), 0.5, -90.0, 90.0, "east"))
     world.add(Wall.segment((0.5, 0.5), (-0.5, 0.5), "north"))
     world.add(Wall.arc((-0.5, 0.0), 0.5, 90.0, 270.0, "west"))
-    world.add(Ball("a", (0.1, 0.05), (1.0, 0.7), radius=R))
-    world.run(300.0)
+    world.add(Ball("a", (0.1, 0.05), (4.0, 2.7), radius=R))
+    return world
+
+
+def test_an_ell_keeps_its_balls():
+    world = ell()
+    world.run()
+    check_kept(world, ELL)
+    assert {e.wall for e in world.log if e.kind == "cushion"} >= {"c", "d"}
+
+
+def test_a_stadium_keeps_its_ball():
+    world = stadium()
+    world.cloth = ICE
+    world.run(100.0)
     for event in world.log:
         x, y = event.after[0].position
         assert hypot(max(0.0, abs(x) - 0.5), y) < 0.5 - R + 1e-12
-    assert len(world.log) > 200
+    assert len(world.log) > 300
 
 
 def test_a_mirrored_table_has_mirrored_outcomes_to_the_last_bit():
@@ -260,3 +279,61 @@ def test_balls_held_between_a_post_and_a_wall_come_to_rest():
     after = simulate(world, "b", Shot(5.0, 0.0))
     assert after.at_rest
     assert len(after.log) < 300
+
+
+# -- what a leg asks for
+
+
+@pytest.mark.parametrize("make", [pool_table.pool_shot, pool_table.pool_break, stadium, ell])
+def test_the_frame_and_the_boxes_change_no_bit(make):
+    """And with them few legs ask for what is not a long wall."""
+    outcomes, asked = [], []
+    for switch in (None, *POCKETS):
+        package, work = fresh(), Counter()
+        if switch:
+            switch.off(package)
+        count(package, work)
+        outcomes.append(repr(run(package, make)))
+        asked.append(work["obstacles met"])
+    assert len(set(outcomes)) == 1
+    assert asked[0] <= asked[1] <= 40 * work["legs planned"]
+    assert asked[0] <= asked[2]
+
+
+def test_a_leg_on_a_pool_table_asks_for_hardly_more_than_on_a_table_of_four_lines():
+    work = Counter()
+    package = fresh()
+    count(package, work)
+    for seed in range(20):
+        world = pool_table.midgame(4, seed)
+        world.strike("cue", Shot(3.0, 18.0 * seed, follow=1.0))
+        go(package, planned(lambda world=world: world, package))
+    assert work["obstacles met"] < 0.5 * work["legs planned"]
+
+
+def test_the_frame_of_a_pool_table_is_its_four_sides():
+    world = pool_table.midgame()
+    world.plan()
+    frame, walls, sides = list(world.scene.frame), world.walls, []
+    while frame:
+        sides.append(sorted(walls[k].name for k in frame[1 : frame[0] + 1]))
+        del frame[: frame[0] + 1]
+    assert sorted(map(len, sides)) == [1, 1, 2, 2]
+    assert all(hypot(*walls[k].p) > 0.5 for side in sides for k in range(len(side)))
+
+
+@pytest.mark.parametrize("gap", [0.0, 1e-17, 1e-15, 1e-12, 1e-9, 1e-5])
+def test_balls_along_a_rail_past_a_mouth_change_no_bit_with_the_frame(gap):
+    """Frozen to the rail, and at the points within rounding."""
+    side, corner = 0.5 * pool_table.SIDE, pool_table.X - pool_table.CORNER * 0.5**0.5
+    for x, back, angle in product((-side, corner), (0.2, 1e-3, 1e-6, 0.0), (0.0, 1e-9, -1e-9, -1)):
+        outcomes = []
+        for frame in (None, ()):
+            world = pool_table.table()
+            pool_table.put(world, "cue", x - back, -pool_table.Y + pool_table.RADIUS + gap)
+            world.plan()
+            if frame is not None:
+                world.scene = world.scene._replace(frame=frame)
+            after = simulate(world, "cue", Shot(1.5, angle, follow=1.0))
+            outcomes.append([tuple(event) for event in after.log])
+        assert outcomes[0] == outcomes[1]
