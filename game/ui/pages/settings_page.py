@@ -77,10 +77,10 @@ class SettingsPage:
             if key == pygame.K_ESCAPE:
                 return None
             return Action("bind", f"{self.row.name} {NAMES.get(key, 'unknown')}")
-        if key == pygame.K_ESCAPE or keys.always.get(key) == CLOSE:
+        if key == pygame.K_ESCAPE:
             return CLOSE
-        if keys.always.get(key) == Action("language"):
-            return Action("language")
+        if key in keys.always:
+            return keys.always[key]
         if key in STEPS:
             self._go(self.focus + STEPS[key], sight)
         elif key == pygame.K_TAB:
