@@ -1,4 +1,4 @@
-"""The settings sheet: which row is in focus, and what keys and mouse mean while it is open."""
+"""The settings page: which row is in focus, and what keys and mouse mean while it is open."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class SettingsPage:
         return state, now, keys, sight.preferences.refused
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
-        """Draw the sheet; returns its rectangle."""
+        """Draw the page; returns its rectangle."""
         state = settings_view.SettingsLook(self.focus, self.waiting, self.first, self.over)
         return settings_view.draw(surface, sight, state)
 
