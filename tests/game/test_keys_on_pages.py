@@ -5,8 +5,12 @@ import pytest
 from game.input.key_tables import ALWAYS, NAMES
 from tests.support.players import FRAME, an_app, assert_same_as_anew, press, write
 
-OPENS = {"menu": "f10", "shelf": "f4", "rules": "f5", "settings": "f3"}
-LEADS = {key: page for page, key in OPENS.items()}
+LEADS = {
+    NAMES[code]: action.value or action.name
+    for code, action in ALWAYS.items()
+    if action.name in ("sheet", "settings")
+}
+OPENS = {page: key for key, page in LEADS.items()}
 
 
 @pytest.fixture(params=OPENS)
