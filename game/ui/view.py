@@ -1,4 +1,4 @@
-"""The whole window: the table and the parts around it; draws and tells what changed."""
+"""The whole window: the table and the parts around it; draws what changed, and says where."""
 
 from __future__ import annotations
 
