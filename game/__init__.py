@@ -1,1 +1,1 @@
-"""Carom billiards to play: the picture, the rules and the loop around the physics."""
+"""Billiards to play: the picture, the sound and the loop around the physics and the rules."""

@@ -158,10 +158,12 @@ class App:
 
     def _again(self) -> None:
         """Do again what the held key does: in the field of a page, or in a box or in play."""
+        if self.session.help:
+            return
         if self.session.page:
             if self.view.field is not None:
                 self._answer(self.repeat.event)
-        elif not self.session.help:
+        else:
             self.perform(self.repeat.action)
 
     def perform(self, action: Action | None, human: bool = True, sure: bool = False) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from . import pool
-from .game import NUMBERS, Pocketed, without
+from .pocketed import NUMBERS, Pocketed, without
 from .state import AS_IT_LIES, BREAK, HEAD, PLAY, GameState, Option, Question
 from .stroke import Stroke
 from .verdict import Turn, Verdict, facts
@@ -13,7 +13,7 @@ from .verdict import Turn, Verdict, facts
 EIGHT = "8"
 SOLIDS, STRIPES = "solids", "stripes"
 GROUPS = {SOLIDS: NUMBERS[:7], STRIPES: NUMBERS[8:]}
-ILLEGAL_BREAK, EIGHT_ON_BREAK, BREAK_FOUL = "illegal_break", "eight_on_break", "break_foul"
+ILLEGAL_BREAK, EIGHT_ON_BREAK = "illegal_break", "eight_on_break"
 SPOT_AND_ACCEPT, SPOT_IN_HAND, REBREAK = "spot_and_accept", "spot_in_hand", "rebreak"
 RERACK, RERACK_OFFENDER, IN_HAND_HEAD = "rerack", "rerack_offender", "in_hand_head"
 

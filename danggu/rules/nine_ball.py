@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from . import pool
-from .game import NUMBERS, Pocketed, without
+from .pocketed import NUMBERS, Pocketed, without
 from .state import AS_IT_LIES, BREAK, PLAY, SECOND, GameState
 from .stroke import Stroke
 from .verdict import Turn, Verdict, facts

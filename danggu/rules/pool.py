@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import replace
 
-from .game import put
+from .pocketed import put
 from .state import ANYWHERE, SECOND, GameState, Option, Question
 from .stroke import TIE, Stroke
 from .verdict import NO_BALL, OFF_TABLE, Turn

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from . import pool
-from .game import CUE, NUMBERS, Pocketed, without
+from .pocketed import CUE, NUMBERS, Pocketed, without
 from .state import ANYWHERE, AS_IT_LIES, FRESH, HOUSE, PLAY, GameState, Option, Question
 from .stroke import Stroke
 from .verdict import NO_BALL, OFF_TABLE, Turn, Verdict, facts

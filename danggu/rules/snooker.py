@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar, NamedTuple
 
-from .game import CUE, Pocketed, without
+from .pocketed import CUE, Pocketed, without
 from .state import AS_IT_LIES, PLAY, GameState, Option, Question
 from .state import D as IN_D
 from .stroke import Act, Stroke

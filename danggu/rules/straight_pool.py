@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from . import pool
-from .game import CUE, Pocketed, without
+from .pocketed import CUE, Pocketed, without
 from .state import AS_IT_LIES, BREAK, HEAD, PLAY, GameState, Option, Question
 from .stroke import Stroke
 from .verdict import Turn, Verdict, facts

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from . import pool
-from .game import NUMBERS
 from .nine_ball import Rotation
+from .pocketed import NUMBERS
 from .state import BREAK
 from .stroke import Stroke
 from .verdict import Turn, Verdict, facts

@@ -64,14 +64,14 @@ def built_with() -> str:
 
 
 class Witness:
-    """Sees every shot of a game end, and tells it: `tell(tick, digest)`.
+    """Sees every shot of a game end, and reports it: `report(tick, digest)`.
 
-    A shot is over when the balls rest; when an action strikes again, which tells how they were just
-    before; or when one stops them or puts them elsewhere, which tells how they were and are.
+    A shot is over when the balls rest, when an action strikes again (its digest is that of the
+    balls just before), or when one stops them or puts them elsewhere (before and after).
     """
 
-    def __init__(self, session: Session, tell: Callable[[int, str], None]) -> None:
-        self.session, self.tell = session, tell
+    def __init__(self, session: Session, report: Callable[[int, str], None]) -> None:
+        self.session, self.report = session, report
         self._moving = session.moving
         self._before: tuple[str, object] | None = None
 
@@ -86,15 +86,15 @@ class Witness:
             found, shot = self._before
             if not session.moving:
                 both = (found + digest(session)).encode()
-                self.tell(session.tick, blake2b(both, digest_size=16).hexdigest())
+                self.report(session.tick, blake2b(both, digest_size=16).hexdigest())
             elif shot != self._shot:
-                self.tell(session.tick, found)
+                self.report(session.tick, found)
         self._moving = session.moving
 
     def passed(self) -> None:
         """Time has passed."""
         if self._moving and not self.session.moving:
-            self.tell(self.session.tick, digest(self.session))
+            self.report(self.session.tick, digest(self.session))
         self._moving = self.session.moving
 
     @property

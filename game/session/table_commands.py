@@ -37,7 +37,7 @@ def use_cloth(session: Session, key: str = "") -> None:
 
 
 def said(use: Callable[[Session, str], None], notice: str) -> Callable[..., None]:
-    """Taking something else as a command that tells what it has come to."""
+    """Taking something else as a command that says what is in use now."""
 
     def do(session: Session, key: str = "") -> None:
         use(session, key)

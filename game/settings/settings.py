@@ -90,7 +90,7 @@ def start() -> Settings:
 def read(document: object) -> tuple[Settings, list[str]]:
     """Return the settings in a document, and the names of the values that could not be used.
 
-    Those keep their defaults; what is not there does too; what nobody knows is passed over.
+    Those keep their defaults; so does what is missing; unknown names are passed over.
     """
     settings = start()
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:

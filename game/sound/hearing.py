@@ -46,7 +46,7 @@ SILENCE = Heard((), 0.0)
 
 
 class Ear:
-    """Follows the moment on show, of a shot played or looked at again; tells what is new."""
+    """Follows the moment on show, of a shot played or looked at again; says what is new."""
 
     def __init__(self, half: float) -> None:
         self.half = half

@@ -1,6 +1,6 @@
 """The layers that an input event goes down: each answers with what it means, or passes it on.
 
-From the top: a record that is watched, the question, the page over the table, the page of keys,
+From the top: a record that is watched, the question, the page of keys, the page over the table,
 placing balls, the box that is edited, and the table with what is around it.
 """
 
@@ -74,6 +74,26 @@ class QuestionLayer:
         return Answer((*closing, *answer(action).actions), _edits(event), True, sure)
 
 
+class KeysLayer:
+    """The page of keys: a few keys and a click close it, nothing else gets through."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Close it, or change its language."""
+        if not self.view.session.help:
+            return None
+        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+            return answer(Action("help"))
+        if event.type != pygame.KEYDOWN:
+            return Answer()
+        always = self.view.preferences.keys.always.get(event.key)
+        if event.key in place_balls.DONE or always == Action("help"):
+            return answer(Action("help"))
+        return answer(always if always == Action("language") else None)
+
+
 class PageLayer:
     """The page over the table."""
 
@@ -93,26 +113,6 @@ class PageLayer:
 def _edits(event: pygame.event.Event) -> Action | None:
     """What a key does in a field of text."""
     return editing.of_key(event) if event.type == pygame.KEYDOWN else None
-
-
-class KeysLayer:
-    """The page of keys: a few keys and a click close it, nothing else gets through."""
-
-    def __init__(self, view: View) -> None:
-        self.view = view
-
-    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
-        """Close it, or change its language."""
-        if not self.view.session.help:
-            return None
-        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
-            return answer(Action("help"))
-        if event.type != pygame.KEYDOWN:
-            return Answer()
-        always = self.view.preferences.keys.always.get(event.key)
-        if event.key in place_balls.DONE or always == Action("help"):
-            return answer(Action("help"))
-        return answer(always if always == Action("language") else None)
 
 
 class PlacingLayer:
@@ -188,7 +188,7 @@ class Layers:
 
     def __init__(self, view: View, *first: Layer) -> None:
         self.stack: tuple[Layer, ...] = (
-            *first, QuestionLayer(view), PageLayer(view), KeysLayer(view), PlacingLayer(view),
+            *first, QuestionLayer(view), KeysLayer(view), PageLayer(view), PlacingLayer(view),
             BoxLayer(view), TableLayer(view),
         )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""The whole window: the table and the parts around it; draws and tells what changed."""
+"""The whole window: the table and the parts around it; draws what changed, and says where."""
 
 from __future__ import annotations
 
@@ -73,9 +73,11 @@ class View:
     @property
     def typing(self) -> bool:
         """Do characters go into a box, or into the page over the table?"""
+        if self.session.help:
+            return False
         if self.session.page:
             return self.question is None and self.page.typing
-        return self.session.aim.box is not None and not self.session.help
+        return self.session.aim.box is not None
 
     @property
     def field(self) -> TextField | None:

@@ -1,6 +1,6 @@
 """Tables to play on: playing surface, balls, cloth, laws, what is marked on them, and racks.
 
-Sources are in docs/tables.md, and for the carom tables in docs/physics.md.
+Sources are in docs/tables.md, and for the carom tables in docs/accuracy.md.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -32,3 +32,8 @@ def __getattr__(name: str) -> Any:
 
         return getattr(pockets, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    """All public names, loaded or not, so that completion finds them."""
+    return [*__all__]

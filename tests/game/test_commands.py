@@ -1,5 +1,7 @@
 """The table of commands: whatever shows or asks about a command finds it there."""
 
+import re
+
 import pytest
 
 from game.input.bindings import DEFAULTS
@@ -65,6 +67,12 @@ def test_a_command_with_a_key_and_no_rows_gets_a_row_for_the_key(monkeypatch):
     aims = added._replace(name="jump", aims=True)
     monkeypatch.setattr("game.session.commands.TABLE", (*TABLE, aims))
     assert rows()["aim"][-1] == HelpRow("aim", 99, "@jump", "key.jump")
+
+
+@pytest.mark.parametrize("name", DEFAULTS)
+def test_every_key_that_can_be_chosen_stands_on_the_page_of_keys(name):
+    written = [row.keys for found in rows().values() for row in found]
+    assert any(re.search(rf"@{re.escape(name)}(?= |$)", keys) for keys in written)
 
 
 @pytest.mark.parametrize("sections", keys_page.COLUMNS, ids=" ".join)

@@ -13,6 +13,7 @@ from game.session.action import Action
 from game.session.session import Notice
 from game.ui.panels import prompts
 from game.ui.panels.parts import hint
+from tests.support.contrast import contrast
 from tests.support.matches import opening_numbers
 from tests.support.players import (
     FRAME,
@@ -258,7 +259,7 @@ def test_a_warning_looks_neither_like_help_nor_like_an_error():
         fields.hint(surface, layout.hint, Type(layout.s), "the same", **tone)
         seen.add(pixels(surface).tobytes())
     assert len(seen) == 3
-    assert theme.contrast(theme.WARNING, theme.BACKGROUND) >= 4.5
+    assert contrast(theme.WARNING, theme.BACKGROUND) >= 4.5
 
 
 # -- watching a record ---------------------------------------------------------------------------

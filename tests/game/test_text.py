@@ -13,6 +13,7 @@ from game.render.layout import Layout
 from game.render.parts import fields
 from game.render.table import lines
 from game.session.action import Action
+from tests.support.contrast import contrast
 from tests.support.pictures import layouts, pixels, same
 from tests.support.players import FRAME, an_app
 
@@ -33,18 +34,18 @@ WHITE = theme.WHITE
     ],
 )
 def test_text_and_input_borders_stand_out_as_wcag_asks(ink, ground, least):
-    assert theme.contrast(ink, ground) >= least
+    assert contrast(ink, ground) >= least
 
 
 def test_contrast_has_the_value_wcag_gives_for_black_on_white():
-    assert theme.contrast((0, 0, 0), (255, 255, 255)) == pytest.approx(21.0)
-    assert theme.contrast(theme.WHITE, theme.PRIMARY) >= 4.5
+    assert contrast((0, 0, 0), (255, 255, 255)) == pytest.approx(21.0)
+    assert contrast(theme.WHITE, theme.PRIMARY) >= 4.5
 
 
 @pytest.mark.parametrize("looks", [theme.BALLS, theme.SAFE_BALLS], ids=["usual", "safe"])
 def test_every_trace_stands_out_from_its_halo_on_cloth(looks):
     halo = theme.mix(theme.CLOTHS["blue"], theme.HALO, lines.HALO_ALPHA)
-    assert all(theme.contrast(look.ui, halo) >= 4.0 for look in looks.values())
+    assert all(contrast(look.ui, halo) >= 4.0 for look in looks.values())
 
 
 def test_the_safe_set_also_differs_in_letters_and_dashes():

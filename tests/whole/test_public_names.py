@@ -8,12 +8,14 @@ import pytest
 
 import danggu
 import physics
+from physics import tables
 
 
-@pytest.mark.parametrize("package", [physics, danggu], ids=["physics", "danggu"])
+@pytest.mark.parametrize("package", [physics, danggu, tables], ids=lambda package: package.__name__)
 def test_completion_finds_every_public_name_and_none_that_is_private(package):
     names = dir(package)
-    assert set(names) >= {*package.__all__, "__version__"}
+    assert {*names} - {"__version__"} == {*package.__all__}
+    assert ("__version__" in names) == hasattr(package, "__version__")
     assert [name for name in names if name[0] == "_" and name != "__version__"] == []
     assert [name for name in names if not hasattr(package, name)] == []
 

@@ -98,9 +98,9 @@ class MenuPage:
     def _key(self, event: pygame.event.Event, sight: Sight) -> Action | None:
         key, self._left, self.refused = event.key, None, ""
         always = sight.preferences.keys.always.get(key)
-        if key == pygame.K_ESCAPE or always == Action("sheet", "menu"):
+        if key == pygame.K_ESCAPE:
             return Action("sheet", "")
-        if always is not None and always.name in ("language", "help"):
+        if always is not None:
             return always
         if key in STEPS or key == pygame.K_TAB:
             back = getattr(event, "mod", 0) & pygame.KMOD_SHIFT

@@ -50,10 +50,10 @@ class Page(Protocol):
         ...
 
 
-def panel(layout: Layout) -> pygame.Rect:
+def panel(layout: Layout, height: int = HEIGHT) -> pygame.Rect:
     """Return the page's rectangle, in the middle of the window's contents."""
     inside = layout.shoot.right - layout.table.x
-    rect = pygame.Rect(0, 0, min(layout.px(WIDTH), inside), layout.px(HEIGHT))
+    rect = pygame.Rect(0, 0, min(layout.px(WIDTH), inside), layout.px(height))
     rect.center = ((layout.table.x + layout.shoot.right) // 2, layout.size[1] // 2)
     return rect
 
@@ -65,9 +65,9 @@ def inside(layout: Layout) -> pygame.Rect:
     return pygame.Rect(rect.x + pad, top, rect.w - 2 * pad, bottom - top)
 
 
-def close_rect(layout: Layout) -> pygame.Rect:
+def close_rect(layout: Layout, height: int = HEIGHT) -> pygame.Rect:
     """Return the button that closes the page."""
-    rect, side = panel(layout), layout.px(30)
+    rect, side = panel(layout, height), layout.px(30)
     return pygame.Rect(rect.right - layout.px(18) - side, rect.y + layout.px(16), side, side)
 
 
@@ -79,14 +79,15 @@ def frame(
     rect = panel(layout)
     shapes.box(surface, rect, s, PANEL, LINE_TRACK)
     type_.draw(surface, title, (rect.x + PAD * s, rect.y + 40 * s), 20, theme.TEXT)
-    _cross(surface, close_rect(layout), s, closing)
+    cross(surface, close_rect(layout), s, closing)
     colour = theme.ERROR if wrong else theme.TEXT_SOFT
     said = type_.fitted(foot, SIZE, rect.w - 2 * PAD * s)
     type_.draw(surface, said, (rect.x + PAD * s, rect.bottom - 16 * s), SIZE, colour)
     return rect
 
 
-def _cross(surface: pygame.Surface, rect: pygame.Rect, s: float, hot: bool) -> None:
+def cross(surface: pygame.Surface, rect: pygame.Rect, s: float, hot: bool) -> None:
+    """Draw the button that closes the page."""
     shapes.box(surface, rect, s, PANEL_RAISED, LINE_INPUT if hot else LINE)
     arm = 5 * s
     (x, y), ink = rect.center, theme.TEXT if hot else theme.TEXT_SOFT

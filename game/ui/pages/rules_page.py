@@ -55,7 +55,7 @@ class RulesPage:
 
     def _key(self, key: int, sight: Sight) -> Action | None:
         always = sight.preferences.keys.always.get(key)
-        if always is not None and always.name in ("language", "help", "sheet"):
+        if always is not None:
             return always
         if key in (pygame.K_ESCAPE, pygame.K_RETURN, pygame.K_KP_ENTER):
             return Action("sheet", "")

@@ -1,4 +1,4 @@
-"""The settings sheet: which row is in focus, and what keys and mouse mean while it is open."""
+"""The settings page: which row is in focus, and what keys and mouse mean while it is open."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class SettingsPage:
         return state, now, keys, sight.preferences.refused
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
-        """Draw the sheet; returns its rectangle."""
+        """Draw the page; returns its rectangle."""
         state = settings_view.SettingsLook(self.focus, self.waiting, self.first, self.over)
         return settings_view.draw(surface, sight, state)
 
@@ -77,10 +77,10 @@ class SettingsPage:
             if key == pygame.K_ESCAPE:
                 return None
             return Action("bind", f"{self.row.name} {NAMES.get(key, 'unknown')}")
-        if key == pygame.K_ESCAPE or keys.always.get(key) == CLOSE:
+        if key == pygame.K_ESCAPE:
             return CLOSE
-        if keys.always.get(key) == Action("language"):
-            return Action("language")
+        if key in keys.always:
+            return keys.always[key]
         if key in STEPS:
             self._go(self.focus + STEPS[key], sight)
         elif key == pygame.K_TAB:

@@ -1,4 +1,4 @@
-"""The rows of the settings sheet: what each can be, what it is, and the action that changes it."""
+"""The rows of the settings page: what each can be, what it is, and the action that changes it."""
 
 from __future__ import annotations
 

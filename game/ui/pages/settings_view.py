@@ -1,4 +1,4 @@
-"""How the settings sheet looks and where its parts are: choices at the left, keys at the right."""
+"""How the settings page looks and where its parts are: choices at the left, keys at the right."""
 
 from __future__ import annotations
 
@@ -24,9 +24,10 @@ from game.render.theme import (
 from game.text.keycap import cap_name
 from game.ui.sight import Sight
 
+from . import page_parts
 from .settings_rows import CHOSEN, KEYS, ROWS, SettingsRow, beside, current
 
-WIDTH, HEIGHT = 1128, 536
+HEIGHT = 536
 PAD = 28
 TOP = 66
 """Where the rows begin, below the title."""
@@ -37,7 +38,7 @@ SPLIT = 0.56
 KEY_ROW = 26
 KEY_COLUMN = 118
 Spot = tuple[int, str]
-"""A part of the sheet: number of the row, or -1, and which of its choices, or what else."""
+"""A part of the page: number of the row, or -1, and which of its choices, or what else."""
 NOTHING, OUTSIDE, CLOSE = (-1, ""), (-1, "outside"), (-1, "close")
 
 
@@ -54,11 +55,8 @@ class SettingsLook(NamedTuple):
 
 
 def panel(layout: Layout) -> pygame.Rect:
-    """Return the sheet's rectangle, in the middle of the window's contents."""
-    inside = layout.shoot.right - layout.table.x
-    rect = pygame.Rect(0, 0, min(layout.px(WIDTH), inside), layout.px(HEIGHT))
-    rect.center = ((layout.table.x + layout.shoot.right) // 2, layout.size[1] // 2)
-    return rect
+    """Return the page's rectangle, in the middle of the window's contents."""
+    return page_parts.panel(layout, HEIGHT)
 
 
 def keys_shown(layout: Layout) -> int:
@@ -135,9 +133,8 @@ def track(index: int, sight: Sight) -> pygame.Rect:
 
 
 def close_rect(layout: Layout) -> pygame.Rect:
-    """Return the button that closes the sheet."""
-    rect, side = panel(layout), layout.px(30)
-    return pygame.Rect(rect.right - layout.px(18) - side, rect.y + layout.px(16), side, side)
+    """Return the button that closes the page."""
+    return page_parts.close_rect(layout, HEIGHT)
 
 
 def slid(at: tuple[int, int], sight: Sight, index: int) -> str:
@@ -171,7 +168,7 @@ def choice_word(row: SettingsRow, key: str, sight: Sight) -> str:
 
 
 def draw(surface: pygame.Surface, sight: Sight, state: SettingsLook) -> pygame.Rect:
-    """Draw the sheet and return its rectangle."""
+    """Draw the page and return its rectangle."""
     layout, type_, w, s = sight.layout, sight.type, sight.words, sight.layout.s
     rect = panel(layout)
     shapes.box(surface, rect, s, PANEL, LINE_TRACK)
@@ -179,7 +176,7 @@ def draw(surface: pygame.Surface, sight: Sight, state: SettingsLook) -> pygame.R
     type_.draw(surface, w["set.title"], (rect.x + PAD * s, base), 20, TEXT)
     keys = rect.x + round(SPLIT * rect.w) + 10 * s
     type_.draw(surface, w["set.keys"], (keys, base), 13, TEXT_SOFT)
-    _cross(surface, sight, state)
+    page_parts.cross(surface, close_rect(layout), s, state.over == CLOSE)
     for index, row in enumerate(ROWS):
         spot = row_rect(index, layout, state.first)
         if spot is not None:
@@ -219,18 +216,6 @@ def _foot(sight: Sight, state: SettingsLook) -> tuple[str, Colour]:
     if ROWS[state.focus].kind == "key":
         return w["set.hint.key"], TEXT_SOFT
     return w["set.hint"], TEXT_SOFT
-
-
-def _cross(surface: pygame.Surface, sight: Sight, state: SettingsLook) -> None:
-    rect, s = close_rect(sight.layout), sight.layout.s
-    hot = state.over == CLOSE
-    shapes.box(surface, rect, s, PANEL_RAISED, LINE_INPUT if hot else LINE)
-    arm = 5 * s
-    (x, y), ink = rect.center, TEXT if hot else TEXT_SOFT
-    for way in (1, -1):
-        for off in (-0.4, 0.4):
-            ends = (x - arm + off, y - way * arm), (x + arm + off, y + way * arm)
-            pygame.draw.aaline(surface, ink, *ends)
 
 
 def _row(

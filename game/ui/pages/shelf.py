@@ -120,7 +120,7 @@ class ShelfPage:
         always = sight.preferences.keys.always.get(key)
         if key == pygame.K_ESCAPE:
             return Action("sheet", "")
-        if always is not None and always.name in ("language", "help", "sheet"):
+        if always is not None:
             return always
         if self.typing and self._edit(event):
             return None

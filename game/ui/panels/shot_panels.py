@@ -1,4 +1,4 @@
-"""The parts that tell about a shot: head, result, log, and the table that is touched."""
+"""The parts that show a shot: head, result, log, and the table that is touched."""
 
 from __future__ import annotations
 
@@ -200,7 +200,7 @@ def _nothing_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> p
 
 
 def shot_parts(layout: Layout) -> list[Panel]:
-    """The parts that tell about the next shot or the last one."""
+    """The parts that show the next shot or the last one."""
     head = layout.score[0].union(layout.score[2])
     table = _nothing_key, _nothing_draw, _table_touch
     return [

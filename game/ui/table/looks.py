@@ -5,7 +5,7 @@ from __future__ import annotations
 from game.render.theme import BALLS, SAFE_BALLS, BallLook
 
 SETS = {"usual": BALLS, "safe": SAFE_BALLS}
-"""Balls for everybody, and those that colour-blind eyes can tell apart."""
+"""The usual balls, and those that colour-blind eyes can tell apart."""
 KINDS = {"white": "white", "cue": "white", "yellow": "yellow"}
 KINDS |= {"red": "red 1", "red1": "red 1", "red2": "red 2", "red 1": "red 1", "red 2": "red 2"}
 OTHERS = ("red 1", "yellow", "red 2")

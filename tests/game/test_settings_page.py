@@ -48,7 +48,7 @@ def test_choices_stay_in_their_rows_and_rows_in_the_sheet(language, size, table)
         assert all(a.right <= b.x for a, b in pairwise(spots))
 
 
-# -- the sheet -----------------------------------------------------------------------------------
+# -- the page ------------------------------------------------------------------------------------
 
 
 @pytest.fixture
