@@ -15,7 +15,7 @@ from .kernel.tilt import touching_distance
 
 DISTURBED = -1  # the phase of a ball that was changed and that no engine has looked at yet
 RADIUS, MASS = 0.03275, 0.25  # m and kg, where nothing says otherwise
-NOWHERE = Felt(0.0, 0.0, 0.0)  # the cloth under a ball that is in no world yet
+NOWHERE = Felt(0.0, 0.0, 0.0)
 
 
 class Sized(Protocol):
@@ -107,6 +107,15 @@ class Clock:
             setattr(self, name, getattr(other, name))
 
 
+class Alone(Clock):
+    """That of a ball that is in no world yet; a copy that another process gets is one, too."""
+
+    __slots__ = ()
+
+    def __init__(self) -> None:
+        super().__init__(NOWHERE)
+
+
 class Ball:
     """A ball on the table.
 
@@ -133,7 +142,7 @@ class Ball:
         self._name = name
         self.put = True
         """Has it been placed since its world last checked that all fits?"""
-        self._clock = Clock(NOWHERE)
+        self._clock: Clock = Alone()
         given = radius is not None, mass is not None
         self._open = None if all(given) else _Open(*given)
         radius = RADIUS if radius is None else positive(f"ball {name!r}: radius", radius)
@@ -326,7 +335,7 @@ class Ball:
 
         ValueError if it is in a world already.
         """
-        if self._clock.cloth is not NOWHERE:
+        if not isinstance(self._clock, Alone):
             raise ValueError(f"ball {self.name!r} is in a world already")
         if table is not None and self._open is not None:
             self._fit(table, self._open)

@@ -22,8 +22,9 @@ class Player:
     target: int | None = None
 
     def __post_init__(self) -> None:
-        if self.target is not None and self.target < 1:
-            raise ValueError(f"the target of {self.name!r} must be 1 or more, not {self.target!r}")
+        if self.target is not None and (type(self.target) is not int or self.target < 1):
+            wanted = f"the target of {self.name!r} must be a whole number, 1 or more"
+            raise ValueError(f"{wanted}, not {self.target!r:.60}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,11 +164,17 @@ class Match:
     # -- before the stroke ---------------------------------------------------------------------
 
     def called(self, call: Call) -> Match:
-        """The match with this call; ValueError if it names a ball that is not on the table."""
-        lies = (*self.rules.cues, *(self.state.left or self.rules.balls))
+        """The match with this call; ValueError if it names a ball that is not on the table, or one
+        to be played that is not the player's cue ball where that is the only one."""
+        own, left = self.cue_of(self.at), self.state.left or self.rules.balls
+        # where any ball may be played, the cue ball is one of those that count
+        any_ball = own in self.rules.start(len(self.players)).left
+        lies = left if any_ball else (*self.rules.cues, *left)
         for name in (call.ball, call.cue):
             if name and name not in lies:
                 raise ValueError(f"{name!r:.60} is not on the table")
+        if call.cue and call.cue != own and not any_ball:
+            raise ValueError(f"{call.cue!r:.60} cannot be played: the cue ball is {own!r}")
         return replace(self, call=call)
 
     def answered(self, key: str) -> Match:

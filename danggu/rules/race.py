@@ -23,8 +23,8 @@ class Race:
     breaks: str = ALTERNATE
 
     def __post_init__(self) -> None:
-        if self.to < 1:
-            raise ValueError(f"a race is to 1 or more, not {self.to!r}")
+        if type(self.to) is not int or self.to < 1:
+            raise ValueError(f"a race is to a whole number, 1 or more, not {self.to!r:.60}")
         if self.breaks not in (ALTERNATE, WINNER, LOSER):
             known = f"{ALTERNATE}, {WINNER} or {LOSER}"
             raise ValueError(f"breaks must be {known}, not {self.breaks!r:.60}")
@@ -35,9 +35,12 @@ class Race:
         return self.won.index(self.to) if self.to in self.won else None
 
     def after(self, winner: int) -> Race:
-        """The race with one more rack won by this player; ValueError if it is over."""
+        """The race with one more rack won by this player; ValueError if it is over, or for a
+        player that is none."""
         if self.winner is not None:
             raise ValueError("the race is over")
+        if winner not in range(len(self.won)):
+            raise ValueError(f"there is no player {winner!r:.60}: there are {len(self.won)}")
         won = tuple(count + (i == winner) for i, count in enumerate(self.won))
         players = len(self.won)
         follows = {

@@ -77,11 +77,12 @@ class Snooker(Pocketed):
         return replace(Pocketed.start(self, players), phase=PLAY, on=RED, region=IN_D)
 
     def on(self, done: Stroke | None, turn: Turn) -> On:
-        """The ball on. If no colour is nominated, the one that is hit first counts as nominated."""
+        """The ball on. If no colour is nominated, the one that is hit first counts as nominated.
+        A red is none, whatever is said."""
         state, call = turn.state, turn.call
         free = call.ball if state.free else ""
         if state.on == COLOUR:
-            named = call.ball
+            named = call.ball if call.ball in COLOURS else ""
             if not named and done and len(done.first) == 1 and done.first[0] in COLOURS:
                 named = done.first[0]
             return On(value(named), (named,) if named else ())

@@ -10,7 +10,9 @@ from physics.kernel.kinds import PHASE_NAMES
 from physics.kernel.lasting import NEVER
 from physics.shot import Shot
 
-HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of named things
+HOMES = (  # of named things
+    "physics.laws", "physics.engines.exact", "physics.engines.stepping", "physics.tables.table",
+)  # fmt: skip
 TABLE = ("name", "kind", "length", "width", "radius", "mass")  # of a table, beside its laws
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
 DISTURBED = "disturbed"
@@ -67,17 +69,19 @@ def planned_data(world: Movable, budget: int) -> Data:
 
 
 def insist_on_names(world: Movable) -> None:
-    """ValueError for a ball, a law or an engine that a file cannot name."""
+    """ValueError for a ball, a table, a law or an engine that a file cannot name."""
     things = {name: getattr(world, name) for name in ("ball_law", "cushion_law", "engine")}
     if world.table is not None:
-        things["table's ball_law"] = world.table.ball_law
-        things["table's cushion_law"] = world.table.cushion_law
+        things["table"] = world.table
+        if _ours(world.table):
+            things["table's ball_law"] = world.table.ball_law
+            things["table's cushion_law"] = world.table.cushion_law
     for name, thing in things.items():
         what = name.replace("_", " ")
         if not _ours(thing):
             raise ValueError(
                 f"the {what} {getattr(thing, '__name__', thing)!r} is a custom one: only the"
-                " laws and engines of this package can be saved"
+                " tables, laws and engines of this package can be saved"
             )
     for ball in world.balls:
         if not isinstance(ball.name, str):
@@ -103,13 +107,15 @@ def _ours(thing: Any) -> bool:
 
 
 def _named(thing: Any) -> Data:
-    """A law or an engine as data; of a custom one, only its name."""
+    """A law or an engine as data; of a custom one, or of a custom table, only its name."""
     if not _ours(thing):
         return {"name": f"{getattr(thing, '__name__', thing)} (custom)"}
     return {"name": type(thing).__name__, **asdict(thing)}
 
 
 def _table(table: Any) -> Data:
+    if not _ours(table):
+        return _named(table)
     return {
         **{name: getattr(table, name) for name in TABLE},
         "cloth": asdict(table.cloth),

@@ -41,7 +41,7 @@ NUMBERS = {name: number for number, name in PHASE_NAMES.items()}
 def dumps(thing: World | Shot) -> str:
     """The world or the shot as JSON text; a world without its log.
 
-    ValueError for a custom law or engine, which no file can hold.
+    ValueError for a custom table, law or engine, which no file can hold.
     """
     if isinstance(thing, Shot):
         data = shot_data(thing)

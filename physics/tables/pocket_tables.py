@@ -35,7 +35,7 @@ def pool(
     degrees by which each closes in on the pocket's axis: a cut of 142° is 7°, at the side 104° 14°.
     Without `side_` it is the corner pockets'. ValueError, naming the value, for what cannot be.
     """
-    if feet not in LENGTHS:
+    if not isinstance(feet, int | float) or feet not in LENGTHS:
         raise ValueError(f"a pool table is of 9, 8 or 7 ft, not {feet!r}")
     length = LENGTHS[feet] * INCH
     corner = Mouth(corner_mouth, facing, shelf, CORNER.hole)

@@ -4,11 +4,15 @@ The orders are those of the rules (docs/tables.md). Chance comes from a seed alo
 same rack on every machine.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations
 from math import sqrt
-from typing import NamedTuple
+from operator import index
+from typing import Any, NamedTuple
 
 from physics.checks import nonnegative
+
+from .regions import EDGE, Region
 
 TRIANGLE, DIAMOND, SMALL = (1, 2, 3, 4, 5), (1, 2, 3, 2, 1), (1, 2, 3, 4)
 STRIPES = range(9, 16)
@@ -76,8 +80,19 @@ def racked(
     red = kind == "snooker"  # reds, behind the pink
     behind = 2.0 * radius + PINK_GAP + disorder if red else 0.0
     return rack.spot, [
-        (f"red {n}" if red else f"{n}", at + behind) for n, at in zip(order, places, strict=True)
+        (f"red{n}" if red else f"{n}", at + behind) for n, at in zip(order, places, strict=True)
     ]
+
+
+def insist_on_room(places: Mapping[str, tuple[float, float]], bed: Region, radius: float) -> None:
+    """ValueError, naming the balls, if a ball lies off the bed or in another one; all in m."""
+    for name, at in places.items():
+        if not bed.contains(at):
+            raise ValueError(f"the rack has no room: {name!r} would be off the table at {at}")
+    for (name, (x, y)), (other, (x2, y2)) in combinations(places.items(), 2):
+        across, up = x2 - x, y2 - y
+        if sqrt(across * across + up * up) < 2.0 * radius - EDGE:
+            raise ValueError(f"the rack has no room: {name!r} would overlap {other!r}")
 
 
 def _places(rows: tuple[int, ...], pitch: float) -> list[complex]:
@@ -115,8 +130,7 @@ def chance(seed: int) -> Iterator[float]:
 
     ValueError for a seed that is not a whole number.
     """
-    if not isinstance(seed, int) or isinstance(seed, bool):
-        raise ValueError(f"rack seed must be a whole number, not {seed!r}")
+    state = _whole(seed)
 
     def stream(state: int) -> Iterator[float]:
         while True:
@@ -125,4 +139,14 @@ def chance(seed: int) -> Iterator[float]:
             z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & WORD
             yield ((z ^ (z >> 31)) >> 11) * 2.0**-53
 
-    return stream(seed & WORD)
+    return stream(state & WORD)
+
+
+def _whole(seed: Any) -> int:
+    """It as an int, if it is one of Python's or NumPy's."""
+    if not isinstance(seed, bool):
+        try:
+            return index(seed)
+        except TypeError:
+            pass
+    raise ValueError(f"rack seed must be a whole number, not {seed!r}")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from physics import laws
 from physics.ball import Ball
 from physics.checks import keep, positive, sizable
-from physics.cloth import Cloth
+from physics.cloth import Cloth, a_cloth
 from physics.world import World
 
 from .pieces import Piece, four_lines, solid
@@ -51,6 +51,9 @@ class Table:
     def __post_init__(self) -> None:
         keep(self, positive, "length", "width", "radius")
         keep(self, sizable, "mass")
+        object.__setattr__(self, "cloth", Cloth() if self.cloth is None else a_cloth(self.cloth))
+        object.__setattr__(self, "ball_law", laws.ball_law(self.ball_law))
+        object.__setattr__(self, "cushion_law", laws.cushion_law(self.cushion_law))
         if not isinstance(self.name, str):
             raise ValueError(f"Table.name must be text, not {self.name!r}")
         if self.kind not in KINDS:
@@ -121,10 +124,11 @@ class Table:
         disorder: how far a ball may lie off its place, m; places are farther apart by twice that.
         seed: draws one of the orders that the rules allow, and the disorder; None: a standard one.
 
-        Balls are named by their numbers; snooker's reds are "red 1" to "red 15", and its colours
-        are on their spots. ValueError, naming the value, for what cannot be.
+        Balls are named by their numbers; snooker's reds are "red1" to "red15", and its colours
+        are on their spots. ValueError, naming the value, for what cannot be, and where there is
+        no room for so loose a rack.
         """
-        from .racks import racked
+        from .racks import insist_on_room, racked
 
         marked = self._marked()
         if kind not in marked.racks:
@@ -135,6 +139,7 @@ class Table:
         places = {name: (x + at.real, y + at.imag) for name, at in balls}
         if kind == "snooker":
             places |= marked.spots
+        insist_on_room(places, marked.regions["bed"], self.radius)
         return [Ball(name, at, radius=self.radius, mass=self.mass) for name, at in places.items()]
 
     def world(self) -> World:

@@ -1,6 +1,7 @@
 """Where the cushions, facings, noses and holes of a table are."""
 
 import json
+import re
 from dataclasses import replace
 from math import atan2, degrees, hypot, inf, nan, sqrt
 from pathlib import Path
@@ -243,8 +244,13 @@ def test_what_is_varied_of_a_pool_table_is_what_is_asked_for_and_nothing_else():
     assert pool(9, side_shelf=0.0, side_facing=13.0).pockets.side == replace(
         SIDE, shelf=0.0, facing=13.0
     )
-    with pytest.raises(ValueError, match="a pool table is of 9, 8 or 7 ft, not 10"):
-        pool(10)
+
+
+@pytest.mark.parametrize("bad", [10, "9", None, nan, [9], {}])
+def test_a_pool_table_of_another_length_is_refused_by_its_length(bad):
+    why = re.escape(f"a pool table is of 9, 8 or 7 ft, not {bad!r}")
+    with pytest.raises(ValueError, match=why):
+        pool(bad)
 
 
 @pytest.mark.parametrize("bad", [nan, inf, "5", None, -1.0])

@@ -1,7 +1,9 @@
 """Racks are legal, tight or as loose as asked for, and come out the same for the same seed."""
 
+from dataclasses import replace
 from math import inf, nan
 
+import numpy as np
 import pytest
 
 from physics import Ball, Shot, World, laws, tables
@@ -105,7 +107,7 @@ def test_the_classical_pyramid_is_in_the_order_of_its_rules_whatever_the_seed():
 
 def test_snooker_has_fifteen_reds_and_its_colours_on_their_spots():
     balls = {ball.name: ball.position for ball in SNOOKER_12FT.rack("snooker")}
-    assert [name for name in balls if name.startswith("red")] == [f"red {k}" for k in range(1, 16)]
+    assert [name for name in balls if name.startswith("red")] == [f"red{k}" for k in range(1, 16)]
     assert {name: at for name, at in balls.items() if "red" not in name} == SNOOKER_12FT.spots
     assert len(balls) == 21
 
@@ -202,3 +204,23 @@ def test_a_rack_of_another_game_is_refused_with_those_that_there_are():
         POOL.rack("snooker")
     with pytest.raises(ValueError, match="match carom: no rack '8-ball': there is none"):
         tables.MATCH_CAROM.rack("8-ball")
+
+
+def test_a_seed_may_be_one_of_numpy_s():
+    laid = [[ball.name for ball in POOL.rack("8-ball", seed=kind(4))] for kind in (int, np.int64)]
+    assert laid[0] == laid[1]
+
+
+@pytest.mark.parametrize(
+    ("table", "kind", "how", "why"),
+    [
+        (POOL, "8-ball", {"gap": 10.0}, "'9' would be off the table at"),
+        (POOL, "9-ball", {"disorder": 1.0, "seed": 3}, "would be off the table at"),
+        (SNOOKER_12FT, "snooker", {"gap": 0.097}, "would overlap 'black'"),
+        (replace(SNOOKER_12FT, length=1.0, pockets=None), "snooker", {}, "would be off the table"),
+        (replace(POOL, length=0.4, width=0.3, pockets=None), "9-ball", {}, "off the table"),
+    ],
+)
+def test_a_rack_that_a_table_has_no_room_for_is_refused(table, kind, how, why):
+    with pytest.raises(ValueError, match=f"the rack has no room: .*{why}"):
+        table.rack(kind, **how)

@@ -1,12 +1,22 @@
 """A ball without a size is one of its table's."""
 
+import copy
 import json
 import pickle
 from dataclasses import replace
 
 import pytest
 
-from physics import Ball, Shot, World, simulate, store, tables
+from physics import (
+    Ball,
+    EventBudgetError,
+    EventDriven,
+    Shot,
+    World,
+    simulate,
+    store,
+    tables,
+)
 from physics.tables.pocket_tables import PYRAMID_12FT, SNOOKER_12FT, pool
 
 TABLES = [tables.THESIS, tables.MEDIUM_CAROM, tables.MATCH_CAROM]
@@ -136,3 +146,50 @@ def test_what_is_no_table_is_refused(thing):
         World(table=thing)
     with pytest.raises(AttributeError):
         tables.match_carom().table = thing
+
+
+@pytest.mark.parametrize("again", [copy.deepcopy, lambda ball: pickle.loads(pickle.dumps(ball))])
+def test_a_copy_of_a_ball_that_is_in_no_world_can_be_added_to_one(again):
+    """A process that is sent a ball gets such a copy."""
+    ball = again(Ball("white", at=(0.1, 0.2), spin=(1.0, 2.0, 3.0)))
+    tables.match_carom().add(ball)
+    assert (ball.radius, ball.mass) == (0.03075, 0.21)
+    assert ball.spin == pytest.approx((1.0, 2.0, 3.0), rel=1e-15)
+    with pytest.raises(ValueError, match="'white' is in a world already"):
+        World().add(ball)
+    with pytest.raises(ValueError, match="'white' is in a world already"):
+        World().add(again(ball))
+
+
+def test_a_table_takes_the_names_of_laws_and_no_cloth_as_a_world_does_and_can_be_saved():
+    plain = replace(tables.MATCH_CAROM, cloth=None, ball_law="rough", cushion_law="rigid")
+    world = World()
+    assert (plain.cloth, plain.ball_law, plain.cushion_law) == (
+        world.cloth, world.ball_law, world.cushion_law
+    )  # fmt: skip
+    assert store.loads(store.dumps(plain.world())).table == plain
+    with pytest.raises(ValueError, match="unknown ball law 'soft'"):
+        replace(plain, ball_law="soft")
+    with pytest.raises(ValueError, match="a world's cloth is a Cloth, not 3"):
+        replace(plain, cloth=3)
+
+
+class Sizes:
+    """What knows the size of balls, and is no Table."""
+
+    radius, mass = 0.02, 0.1
+
+
+def test_a_world_on_a_custom_table_cannot_be_saved_and_says_so():
+    world = World(table=Sizes())
+    world.add(Ball("white", at=(0.0, 0.0)))
+    with pytest.raises(ValueError, match=r"the table .*Sizes.* is a custom one"):
+        store.dumps(world)
+
+
+def test_a_world_on_a_custom_table_that_makes_too_many_events_says_how_it_stood():
+    world = World(table=Sizes(), engine=EventDriven(budget=1))
+    white = world.add(Ball("white", at=(0.0, 0.0)))
+    with pytest.raises(EventBudgetError) as error:
+        simulate(world, white, Shot(speed=3.0, angle=0.0))
+    assert "Sizes" in error.value.scene["table"]["name"]

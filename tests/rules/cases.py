@@ -264,7 +264,7 @@ def wrong(case: Case) -> str:
         got = answer(case) if answer else found(case, want)
     except (ValueError, KeyError, TypeError, AttributeError, IndexError) as error:
         return f"{type(error).__name__}: {error}"
-    want = {k: sorted(v) if isinstance(v, list) else v for k, v in want.items()}
+    want = {k: sorted(v, key=str) if isinstance(v, list) else v for k, v in want.items()}
     return "; ".join(
         f"{key} is {got.get(key)!r}, not {value!r}"
         for key, value in want.items()
@@ -312,11 +312,11 @@ def main(arguments: list[str]) -> int:
     except UnreadableError as error:
         print(error, file=sys.stderr)
         return 2
-    failed = {case["id"]: why for case in listed if (why := wrong(case))}
+    failed = [(case["id"], why) for case in listed if (why := wrong(case))]
     for case in listed:
         for key in set(case["situation"]) - KNOWN:
             print(f"{case['id']}: {key!r} of the situation is not known and was left out")
-    for name, why in failed.items():
+    for name, why in failed:
         print(f"{name}: {why}")
     print(f"{len(listed) - len(failed)} of {len(listed)} cases hold, {len(failed)} fail")
     return 1 if failed else 0

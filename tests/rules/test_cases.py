@@ -105,3 +105,16 @@ def test_the_page_of_the_rules_shows_what_they_say():
 
 def test_two_balls_hit_at_one_instant_are_both_first():
     assert read(["cue|", "cue>red1+blue", "cue>red2"]).stroke("cue").first == ("red1", "blue")
+
+
+def test_a_list_of_unlike_things_that_is_expected_fails_and_ends_nothing():
+    case = {**ALL[0][1], "expected": {"spot": ["1", 1, None]}}
+    assert "not ['1', 1, None]" in cases.wrong(case)
+
+
+def test_two_cases_of_one_name_that_fail_are_two_failures(tmp_path, capsys):
+    case = {**ALL[0][1], "expected": {"points": 99}}
+    path = tmp_path / "cases.json"
+    path.write_text(json.dumps([case, case]))
+    assert cases.main([str(path)]) == 1
+    assert "0 of 2 cases hold, 2 fail" in capsys.readouterr().out
