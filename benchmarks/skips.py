@@ -10,7 +10,7 @@ from physics import World, laws
 
 from . import report
 from .crowds import gas
-from .pool import pool_break, pool_shot
+from .pool_shots import pool_break, pool_shot
 from .report import Report, duration
 from .switches import POCKETS, SMOOTH, SWITCHES, Package, Switch, count, fresh
 from .timing import in_turns

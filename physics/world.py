@@ -13,7 +13,7 @@ from .cloth import Cloth, a_cloth
 from .engines.engine import Engine, an_engine
 from .engines.exact import EventDriven
 from .files.record import foresees
-from .frame import framed
+from .framing import framed
 from .kernel.body import Rule, Scene, celled, no_grid, no_ties, twin_scene
 from .kernel.kinds import PHASES
 from .log import Log

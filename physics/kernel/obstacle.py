@@ -159,7 +159,7 @@ def meet_framed(ball, walls, frame, lasts):
     within a straight part of it: then nothing else has to be asked.  Below 0 where that is not
     certain to the last bit.
 
-    The frame lists how many walls each side has, and their numbers (frame.py).
+    The frame lists how many walls each side has, and their numbers (framing.py).
     """
     p, v, a, radius = ball.position, ball.velocity, ball.acceleration, ball.radius
     margin, slow = MARGIN * radius, MARGIN * (abs(v.real) + abs(v.imag))

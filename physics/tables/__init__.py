@@ -18,19 +18,30 @@ from .carom_tables import (
 from .table import Table
 
 if TYPE_CHECKING:
+    from .pocket_tables import (
+        PYRAMID_12FT,
+        SNOOKER_12FT,
+        pool,
+        pool_7ft,
+        pool_8ft,
+        pool_9ft,
+        pyramid_12ft,
+        snooker_12ft,
+    )
     from .pockets import Mouth, Pockets
 
 __all__ = [
-    "CLOTHS", "MATCH_CAROM", "MEASURED", "MEDIUM_CAROM", "THESIS", "Mouth", "Pockets", "Table",
-    "match_carom", "medium_carom", "thesis",
+    "CLOTHS", "MATCH_CAROM", "MEASURED", "MEDIUM_CAROM", "PYRAMID_12FT", "SNOOKER_12FT", "THESIS",
+    "Mouth", "Pockets", "Table", "match_carom", "medium_carom", "pool", "pool_7ft", "pool_8ft",
+    "pool_9ft", "pyramid_12ft", "snooker_12ft", "thesis",
 ]  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:
-    if name in ("Mouth", "Pockets"):  # imported on first use
-        from . import pockets
+    if name in __all__:  # what has to do with pockets is imported on first use
+        from . import pocket_tables, pockets
 
-        return getattr(pockets, name)
+        return getattr(pockets if name in ("Mouth", "Pockets") else pocket_tables, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

@@ -3,7 +3,8 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from physics.wall import Wall
+from physics.post import Pocket, Post
+from physics.wall import Obstacle, Wall
 
 
 class Piece(NamedTuple):
@@ -41,11 +42,28 @@ def _line(piece: Piece) -> Wall:
     return Wall(normal, (normal.conjugate() * point).real, piece.name)
 
 
-SOLIDS: dict[str, Callable[[Piece], Wall]] = {"line": _line}
+def _segment(piece: Piece) -> Obstacle:
+    p, q = piece.points
+    return Wall.segment((p.real, p.imag), (q.real, q.imag), piece.name)
+
+
+def _post(piece: Piece) -> Post:
+    (at,) = piece.points
+    return Post((at.real, at.imag), piece.radius, piece.name)
+
+
+def _pocket(piece: Piece) -> Pocket:
+    (at,) = piece.points
+    return Pocket((at.real, at.imag), piece.radius, piece.name)
+
+
+SOLIDS: dict[str, Callable[[Piece], Obstacle]] = {
+    "line": _line, "segment": _segment, "post": _post, "pocket": _pocket,
+}  # fmt: skip
 """What makes one of each kind: another kind is one more line."""
 
 
-def solid(piece: Piece) -> Wall:
+def solid(piece: Piece) -> Obstacle:
     """The object that a world takes; ValueError, naming it, for a kind that worlds do not know."""
     if piece.kind not in SOLIDS:
         raise ValueError(f"a world cannot have the {piece.part} {piece.name!r}")

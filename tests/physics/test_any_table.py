@@ -8,7 +8,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from benchmarks import pool as pool_table
+from benchmarks import pool_shots as pool_table
 from benchmarks.skips import go, planned, run
 from benchmarks.switches import POCKETS, count, fresh
 from physics import (

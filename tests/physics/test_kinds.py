@@ -96,7 +96,7 @@ def test_a_ball_laid_along_a_wall_is_as_far_from_it_as_was_asked():
     assert wall.circles(0.03, 0.002) == ()
 
 
-KNOW_LINES = {"physics/frame.py", "physics/kernel/obstacle.py", "physics/wall.py"}
+KNOW_LINES = {"physics/framing.py", "physics/kernel/obstacle.py", "physics/wall.py"}
 OTHER_MEANINGS = {"physics/cue.py", "game/render/table/balls.py", "game/render/parts/gauges.py"}
 
 

@@ -3,12 +3,12 @@
 import json
 import re
 from dataclasses import replace
-from math import atan2, degrees, hypot, inf, nan, sqrt
+from math import atan2, copysign, degrees, fsum, hypot, inf, nan, sqrt
 from pathlib import Path
 
 import pytest
 
-from physics import tables
+from physics import Ball, Shot, ledger, simulate, tables
 from physics.kernel.elementary import direction
 from physics.tables.pocket_tables import (
     CORNER,
@@ -309,6 +309,32 @@ def test_a_table_that_is_made_longer_has_its_pockets_at_its_ends():
 @pytest.mark.parametrize(
     "made", [pool_9ft, pool_8ft, pool_7ft, snooker_12ft, pyramid_12ft], ids=lambda f: f.__name__
 )
-def test_worlds_do_not_have_pockets_yet_and_say_so(made):
-    with pytest.raises(ValueError, match="a world cannot have the rail 'west'"):
-        made()
+def test_a_ball_rolled_straight_at_a_pocket_drops_into_it(made):
+    pockets = [wall for wall in made().walls if wall.kind == "pocket"]
+    assert len(pockets) == 6
+    for pocket in pockets:
+        x, y = pocket.at
+        way = complex(copysign(1.0, x) if abs(x) > 0.1 else 0.0, copysign(1.0, y))
+        start = complex(x, y) - 0.5 / abs(way) * way
+        world = made()
+        world.add(Ball("a", at=(start.real, start.imag)))
+        shot = Shot(2.0, degrees(atan2(way.imag, way.real)), follow=2.0)
+        after = simulate(world, "a", shot)
+        assert [(event.kind, event.wall) for event in after.log] == [("pocket", pocket.name)]
+        assert after.ball("a").phase == "pocketed"
+
+
+def test_a_nine_ball_break_keeps_its_ledger_and_leaves_each_ball_on_the_table_or_down():
+    world = pool_9ft()
+    for ball in world.table.rack("9-ball"):
+        world.add(ball)
+    world.add(Ball("cue", at=world.table.spots["head"]))
+    down = 0
+    for k in range(12):
+        after = simulate(world, "cue", Shot(9.0, 0.5 * k - 3.0))
+        assert {ball.phase for ball in after.balls} <= {"resting", "pocketed"}
+        down += sum(event.kind == "pocket" for event in after.log)
+        entries = ledger.ledger(after.log)
+        lost = fsum(entry.energy_lost + entry.cloth_lost for entry in entries)
+        assert lost == pytest.approx(0.5 * world.table.mass * 9.0**2, abs=1e-12)
+    assert down >= 6

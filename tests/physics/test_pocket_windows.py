@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.pool import INCH
+from benchmarks.pool_shots import INCH
 from physics import Ball, Cloth, Pocket, Wall, World, laws
 
 FILE = Path(__file__).parents[1] / "data" / "pocket_windows.json"
