@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 HOMES = ("physics.laws", "physics.engines.exact", "physics.engines.stepping")  # of what is named
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
+SLOPES = ("e_slope", "mu_slope")  # of laws: written where they are not 0, as older files are
 DISTURBED = "disturbed"
 PHASES = NAMES  # in files as elsewhere
 COMPLEX = ("position", "velocity", "acceleration", "roll")
@@ -103,7 +104,8 @@ def _named(thing: Any) -> Data:
     """A law or an engine by its name; of one from outside, the name is all there is to tell."""
     if not _ours(thing):
         return {"name": f"{getattr(thing, '__name__', thing)} (from outside)"}
-    return {"name": type(thing).__name__, **asdict(thing)}
+    values = {key: value for key, value in asdict(thing).items() if value or key not in SLOPES}
+    return {"name": type(thing).__name__, **values}
 
 
 def _wall(wall: Wall) -> Data:

@@ -25,6 +25,7 @@ from .record import (
     PAGE,
     PHASES,
     REAL,
+    SLOPES,
     VERSION,
     Data,
     foresees,
@@ -176,7 +177,9 @@ def _world(spot: Spot) -> World:
 
 def _made(kind: Any, spot: Spot) -> Any:
     """A dataclass from its fields; its own ValueError, with the place, if it refuses them."""
-    values = {field.name: spot[field.name].value for field in fields(kind)}
+    names = [field.name for field in fields(kind)]
+    names = [name for name in names if name not in SLOPES or name in spot.value]
+    values = {name: spot[name].value for name in names}
     for name, value in values.items():
         if isinstance(value, bool) or not isinstance(value, int | float | str | None):
             raise ValueError(f"{spot.where}.{name} must be a number or text, not {value!r:.60}")

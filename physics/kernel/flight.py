@@ -6,6 +6,7 @@ the cloth. `height` is how far the ball's lowest point is above the cloth, and b
 has left the table.
 """
 
+from .coefficients import roughness
 from .contact import contact_time, first_fall
 from .laws import SMOOTH_BALL, THESIS_BALL, ball_law, friction, rebound, reduced
 from .motion import AIRBORNE, OFF
@@ -86,7 +87,8 @@ def hit_nose(ball, wall, rule):
     size = sqrt(across * across + above * above)
     line, rise = -across / size * wall.normal, above / size
     closing = (line.conjugate() * ball.velocity).real + rise * ball.climb
-    meet_fixed(ball, line, rise, rebound(closing, rule) - closing, rule.friction)
+    grip = roughness(closing, rule)
+    meet_fixed(ball, line, rise, rebound(closing, rule) - closing, grip)
 
 
 @kernel
