@@ -173,11 +173,11 @@ def sensitivity(
     after = simulate(world, ball, shot)
     if any(leg.phase == AIRBORNE for name in after.log.names for leg in after.log.legs(name)):
         raise ValueError("sensitivity knows no derivatives of balls in the air")
-    replay = _Replay(after, after.ball(ball).name, shot, by)
+    replay = Replay(after, after.ball(ball).name, shot, by)
     return Sensitivity(after, tuple(replay.events()), replay.rest(), by)
 
 
-class _Replay:
+class Replay:
     """The balls of a finished shot once more, on dual numbers."""
 
     def __init__(
@@ -201,14 +201,14 @@ class _Replay:
         body.since = leg.since
         body.position = Dual(leg.position, self.seeds.place(ball.name))
         body.velocity, body.roll, body.side = map(Dual, motion, slopes)
-        self._plan(body)
+        self.plan(body)
         return body
 
-    def _plan(self, body: Any) -> None:
+    def plan(self, body: Any) -> None:
         slip, cloth = body.velocity - body.roll, self.scene.cloth
         if abs(value(slip)) <= cloth.still and slip != 0.0 and cloth.slide > 0.0:
             # it rolls, but would slip after another shot, for a moment that leaves 5/7 v + 2/7 w
-            rolling = (5.0 * self._slope(body.velocity) + 2.0 * self._slope(body.roll)) / 7.0
+            rolling = (5.0 * self.slope(body.velocity) + 2.0 * self.slope(body.roll)) / 7.0
             body.velocity = body.roll = Dual(value(body.velocity), rolling)
         self.kernel.calendar.plan_leg(body, (), cloth, self.scene.cushion_rule)
 
@@ -229,11 +229,11 @@ class _Replay:
                 self._collide(kind, i, other, pairs)
             for m in involved:
                 self._count_hops(self.balls[m], kind, bool(shared and shared[3]))
-                self._plan(self.balls[m])
+                self.plan(self.balls[m])
             after = {m: self._rows(self.balls[m]) for m in involved}
             for (event, _), who in zip(blows, pairs or [[i]], strict=True):
                 slopes = _stack(before, who), _stack(after, who)
-                yield EventSlope(event, self._slope(moment), *slopes)
+                yield EventSlope(event, self.slope(moment), *slopes)
 
     def _moment(self, time: float, kind: int, i: int, other: int) -> Dual:
         """When it happens: a contact when the gap, which depends on the shot, has closed."""
@@ -249,7 +249,7 @@ class _Replay:
             p, v = p - q, v - w
             toward = value(p).conjugate()
         closing = value((toward * v).real)
-        return Dual(time, -self._slope((toward * p).real) / (closing or nan))
+        return Dual(time, -self.slope((toward * p).real) / (closing or nan))
 
     def _at(self, ball: Any, time: float) -> tuple[Any, Any]:
         """Position and velocity on its leg, at a time that does not depend on the shot."""
@@ -318,15 +318,15 @@ class _Replay:
         never = np.full((2, len(self.seeds.by)), nan)
         return np.array([self._rows(b)[:2] if b.phase == RESTING else never for b in self.balls])
 
-    def _slope(self, x: Any) -> Any:
+    def slope(self, x: Any) -> Any:
         return slope(x, len(self.seeds.by))
 
     def _rows(self, ball: Any) -> Array:
         """(7, N): x, y, vx, vy, wx, wy, wz."""
         import numpy as np
 
-        p, v = self._slope(ball.position), self._slope(ball.velocity)
-        w, side = self._slope(ball.roll) / ball.radius, self._slope(ball.side) / ball.radius
+        p, v = self.slope(ball.position), self.slope(ball.velocity)
+        w, side = self.slope(ball.roll) / ball.radius, self.slope(ball.side) / ball.radius
         return np.stack((p.real, p.imag, v.real, v.imag, -w.imag, w.real, side))
 
 
