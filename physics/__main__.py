@@ -21,7 +21,10 @@ from .studies import fitting
 from .studies.trace import trace
 from .world import World
 
-LAWS = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM}
+LAWS = {
+    "thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM,
+    "match2": tables.MATCH_CAROM_2,
+}  # fmt: skip
 CUSHIONS = ("rigid", "mathavan")  # the game's sets of laws: with balls that rub
 STEP, RATE = 1 / 180, 60.0  # s of fixed steps, samples a second, where nothing is said
 SHORTEST, FINEST = 1e-6, 1e6  # s, and samples a second: beyond, a shot takes hours or terabytes

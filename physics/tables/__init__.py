@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 from .carom_tables import (
     CLOTHS,
     MATCH_CAROM,
+    MATCH_CAROM_2,
+    MATCH_EDITIONS,
     MEASURED,
     MEDIUM_CAROM,
     THESIS,
@@ -21,8 +23,8 @@ if TYPE_CHECKING:
     from .pockets import Mouth, Pockets
 
 __all__ = [
-    "CLOTHS", "MATCH_CAROM", "MEASURED", "MEDIUM_CAROM", "THESIS", "Mouth", "Pockets", "Table",
-    "match_carom", "medium_carom", "thesis",
+    "CLOTHS", "MATCH_CAROM", "MATCH_CAROM_2", "MATCH_EDITIONS", "MEASURED", "MEDIUM_CAROM",
+    "THESIS", "Mouth", "Pockets", "Table", "match_carom", "medium_carom", "thesis",
 ]  # fmt: skip
 
 
