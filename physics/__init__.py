@@ -20,9 +20,11 @@ if TYPE_CHECKING:
     from .cue import CueStroke
     from .engines.stepping import TimeStepping
     from .files import store
-    from .studies import ledger
+    from .studies import ledger, tracks
+    from .studies.fit import Fit, StrokeFound, fit
     from .studies.recovery import Recovered, recover
     from .studies.sensitivity import Sensitivity, sensitivity
+    from .studies.tracks import Track
     from .watch import EnergyGainWarning
 
 __version__ = "0.1.0"
@@ -30,11 +32,14 @@ __version__ = "0.1.0"
 # loaded on first use: a program that only wants a world waits for nothing else
 MODULES = {
     "ledger": "studies.ledger", "scenes": "scenes", "store": "files.store", "tables": "tables",
+    "tracks": "studies.tracks",
 }  # fmt: skip
 HOMES = {
     "Outcomes": "batch.many", "simulate_many": "batch.many", "CueStroke": "cue",
     "Recovered": "studies.recovery", "recover": "studies.recovery",
     "Sensitivity": "studies.sensitivity", "sensitivity": "studies.sensitivity",
+    "Fit": "studies.fit", "StrokeFound": "studies.fit", "fit": "studies.fit",
+    "Track": "studies.tracks",
     "TimeStepping": "engines.stepping", "EnergyGainWarning": "watch",
 }  # fmt: skip
 
@@ -56,8 +61,8 @@ def __dir__() -> list[str]:
 
 __all__ = [
     "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning", "Event",
-    "EventBudgetError", "EventDriven", "Leg", "Log", "Outcomes", "Placed", "Pocket",
-    "Post", "Recovered", "Sensitivity", "Shot", "State", "TimeStepping", "Wall", "World",
-    "direction", "heading", "heights", "laws", "ledger", "recover", "scenes", "sensitivity",
-    "simulate", "simulate_many", "store", "tables", "trace",
+    "EventBudgetError", "EventDriven", "Fit", "Leg", "Log", "Outcomes", "Placed", "Pocket", "Post",
+    "Recovered", "Sensitivity", "Shot", "State", "StrokeFound", "TimeStepping", "Track", "Wall",
+    "World", "direction", "fit", "heading", "heights", "laws", "ledger", "recover", "scenes",
+    "sensitivity", "simulate", "simulate_many", "store", "tables", "trace", "tracks",
 ]  # fmt: skip

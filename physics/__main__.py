@@ -1,4 +1,4 @@
-"""From the command line: `scene` plays a scene and prints it, `sweep` plays many shots in it."""
+"""From the command line: `scene` plays a scene, `sweep` many shots in it, `fit` fits a table."""
 
 import argparse
 import csv
@@ -6,20 +6,25 @@ import os
 import re
 import sys
 from contextlib import nullcontext
+from dataclasses import replace
 from functools import partial
 from math import hypot, inf
 from typing import NoReturn
 
-from . import commandline, scenes, tables
+from . import commandline, laws, scenes, tables
 from .batch import sweep
 from .batch.many import NUMBERS
 from .engines.exact import EventBudgetError, EventDriven
 from .engines.stepping import SCHEMES, TimeStepping
 from .log import Event
+from .studies import fitting
 from .studies.trace import trace
 from .world import World
 
-LAWS = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM}
+LAWS = {
+    "thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM,
+    "match2": tables.MATCH_CAROM_2,
+}  # fmt: skip
 CUSHIONS = ("rigid", "mathavan")  # the game's sets of laws: with balls that rub
 STEP, RATE = 1 / 180, 60.0  # s of fixed steps, samples a second, where nothing is said
 SHORTEST, FINEST = 1e-6, 1e6  # s, and samples a second: beyond, a shot takes hours or terabytes
@@ -29,11 +34,14 @@ WORDS = {"exact": "exact engine", "literal": "the thesis's program", "thesis": "
 def main(argv: list[str] | None = None) -> int:
     """Exit code 0, or 2 with a message where something cannot be."""
     options = parser().parse_args(joined(sys.argv[1:] if argv is None else argv))
-    if wrong := idle(options):
-        return refuse(wrong)
-    if options.name not in scenes.SCENES:
-        return refuse(f"no scene {options.name!r}: there are {', '.join(scenes.SCENES)}")
+    if options.command != "fit":
+        if wrong := idle(options):
+            return refuse(wrong)
+        if options.name not in scenes.SCENES:
+            return refuse(f"no scene {options.name!r}: there are {', '.join(scenes.SCENES)}")
     try:
+        if options.command == "fit":
+            return fit(options)
         world = scenes.SCENES[options.name]()
         set_laws(world, options.law)
         if options.command == "scene":
@@ -94,9 +102,12 @@ class Refusing(commandline.Parser):
 def parser() -> argparse.ArgumentParser:
     """The options."""
     commands = Refusing(prog="python -m physics", description="Billiards, exact.")
-    sub = commands.add_subparsers(dest="command", required=True, metavar="scene or sweep")
+    sub = commands.add_subparsers(dest="command", required=True, metavar="scene, sweep or fit")
     one = sub.add_parser("scene", help="play a scene and print what happens")
     many = sub.add_parser("sweep", help="play many shots in a scene, each from its beginning")
+    fitted = sub.add_parser("fit", help="find coefficients from tracks of real or other strokes")
+    fitting.add_options(fitted, LAWS)
+    fitted.add_argument("--law", choices=CUSHIONS, help="the cushion's law")
     engines, sets = ["exact", *SCHEMES], [*LAWS, *CUSHIONS]
     for each in (one, many):
         each.add_argument("name", metavar="NAME", help=", ".join(scenes.SCENES))
@@ -110,6 +121,17 @@ def parser() -> argparse.ArgumentParser:
     one.add_argument("--png", metavar="FILE", help="write a picture (needs matplotlib)")
     sweep.add_options(many)
     return commands
+
+
+def fit(options: argparse.Namespace) -> int:
+    """Find the coefficients of a table and print a report."""
+    table = LAWS[options.table]
+    if options.law:
+        law = laws.cushion_law(options.law, table.cushion_law)
+        table = replace(table, cushion_law=law)
+    for line in fitting.run(options, table):
+        print(line)
+    return 0
 
 
 def set_laws(world: World, name: str | None) -> None:

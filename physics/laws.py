@@ -7,6 +7,10 @@ towards +x, and returns (push, rub): the impulse along the line of centres, and 
 (along the table) + i (upward) on the first ball; the engine applies them equal and opposite. All
 are complex numbers in m/s; roll is -i R ω, side is R ω_z; impulses in N s. Between balls of two
 sizes v and push are along the table, and roll and side turned as docs/physics.md says.
+
+e and mu of RigidCushion, MathavanCushion, SmoothBall and RoughBall may depend on speed: they hold
+at 1 m/s, and change by e_slope and mu_slope for each m/s more, within 0 and 1. The speed is that of
+closing, as `Event.closing` has it; for the friction between balls it is that of their slip.
 """
 
 from collections.abc import Callable
@@ -35,9 +39,24 @@ def _nose_height(name: str, value: float) -> float:
     return float(value)
 
 
+def _keep_slopes(law: "RigidCushion | MathavanCushion | RoughBall") -> None:
+    """Friction that depends on speed ends at 1, and so it must begin there too."""
+    keep(law, finite, "e_slope", "mu_slope")
+    if law.mu_slope:
+        keep(law, _fraction, "mu")
+
+
 def _bent(kind: int, e: float, mu: float, nose: float) -> Rule:
     height = nose - 1.0
     return Rule(kind, e, mu, height, sqrt(1.0 - height * height))
+
+
+def _sloping(rule: Rule, e_slope: float, mu_slope: float) -> Rule:
+    """The rule has its coefficients at no speed, and slopes along the contact's normal."""
+    rule.restitution -= e_slope
+    rule.friction -= mu_slope
+    rule.restitution_slope, rule.friction_slope = e_slope / rule.level, mu_slope / rule.level
+    return rule
 
 
 class _CushionLaw:
@@ -85,19 +104,24 @@ class RigidCushion(_CushionLaw):
     e: restitution.
     mu: friction.
     nose: height h/R.
+    e_slope, mu_slope: what e and mu gain for each m/s, s/m; see the module.
     """
 
     e: float = 0.891
     mu: float = 0.242
     nose: float = 1.203
+    e_slope: float = 0.0
+    mu_slope: float = 0.0
 
     def __post_init__(self) -> None:
         keep(self, _fraction, "e")
         keep(self, nonnegative, "mu")
         keep(self, _nose_height, "nose")
+        _keep_slopes(self)
 
     def rule(self) -> Rule:
-        return _bent(kernel.RIGID_CUSHION, self.e, self.mu, self.nose)
+        rule = _bent(kernel.RIGID_CUSHION, self.e, self.mu, self.nose)
+        return _sloping(rule, self.e_slope, self.mu_slope)
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +133,8 @@ class MathavanCushion(_CushionLaw):
     slide: friction at the cloth; None is that of the world's own cloth, and 0.212 for a law that
     is called by hand.
     nose: height h/R.
+    e_slope, mu_slope: what e and mu gain for each m/s, s/m; see the module. One speed, with which
+    the ball comes, decides for the whole hit.
     ValueError also for coefficients at which the ball would jam between nose and cloth.
     """
 
@@ -116,19 +142,23 @@ class MathavanCushion(_CushionLaw):
     mu: float = 0.222
     slide: float | None = None
     nose: float = 1.203
+    e_slope: float = 0.0
+    mu_slope: float = 0.0
 
     def __post_init__(self) -> None:
         keep(self, _fraction, "e", "mu", *(["slide"] if self.slide is not None else []))
         keep(self, _nose_height, "nose")
+        _keep_slopes(self)
         rule = self.rule()
-        pressed = max(0.0, rule.height + rule.level * self.mu)
-        if rule.level - abs(rule.height) * self.mu - rule.slide * pressed <= 0.0:
+        mu = 1.0 if self.mu_slope > 0.0 else min(1.0, rule.friction)  # the most at any speed
+        pressed = max(0.0, rule.height + rule.level * mu)
+        if rule.level - abs(rule.height) * mu - rule.slide * pressed <= 0.0:
             raise ValueError(f"{self!r}: the ball would jam between nose and cloth")
 
     def rule(self) -> Rule:
         rule = _bent(kernel.MATHAVAN_CUSHION, self.e, self.mu, self.nose)
         rule.slide = MEASURED_SLIDE if self.slide is None else self.slide
-        return rule
+        return _sloping(rule, self.e_slope, self.mu_slope)
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,15 +210,18 @@ class SmoothBall(_BallLaw):
     """No friction: spins stay as they are.
 
     e: restitution.
+    e_slope: what e gains for each m/s, s/m; see the module.
     """
 
     e: float = 0.95
+    e_slope: float = 0.0
 
     def __post_init__(self) -> None:
         keep(self, _fraction, "e")
+        keep(self, finite, "e_slope")
 
     def rule(self) -> Rule:
-        return Rule(kernel.SMOOTH_BALL, self.e)
+        return _sloping(Rule(kernel.SMOOTH_BALL, self.e), self.e_slope, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,23 +230,31 @@ class RoughBall(_BallLaw):
 
     e: restitution.
     mu: friction, a number or "alciatore" for his fit to Marlow's data.
+    e_slope, mu_slope: what e and mu gain for each m/s, s/m; see the module.
     """
 
     e: float = 0.946
     mu: float | str = "alciatore"
+    e_slope: float = 0.0
+    mu_slope: float = 0.0
 
     def __post_init__(self) -> None:
         keep(self, _fraction, "e")
         if isinstance(self.mu, str):
             if self.mu != "alciatore":
                 raise ValueError(f'RoughBall.mu must be a number or "alciatore", not {self.mu!r}')
+            if self.mu_slope:
+                raise ValueError(
+                    f"RoughBall.mu_slope is {self.mu_slope!r}, but Alciatore's fit has its own"
+                )
         else:
             keep(self, nonnegative, "mu")
+        _keep_slopes(self)
 
     def rule(self) -> Rule:
         if isinstance(self.mu, str):
-            return Rule(kernel.ALCIATORE_BALL, self.e)
-        return Rule(kernel.ROUGH_BALL, self.e, self.mu)
+            return _sloping(Rule(kernel.ALCIATORE_BALL, self.e), self.e_slope, 0.0)
+        return _sloping(Rule(kernel.ROUGH_BALL, self.e, self.mu), self.e_slope, self.mu_slope)
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ from physics.kernel.body import Body, Scene
 from physics.kernel.calendar import happen as happen_quickly
 from physics.kernel.calendar import plan_meetings, start_leg
 from physics.kernel.cluster import closing_speed
+from physics.kernel.coefficients import restitution
 from physics.kernel.grid import MISSING, pass_by
 from physics.kernel.impulses import RUB, ask, slip_between, solve
 from physics.kernel.kinds import CLUSTER, NOTHING, SLIDING, UNSOLVED
@@ -66,7 +67,7 @@ def happen(i: int, scene: Scene, law: "HertzCluster") -> Any:
     quiet = max(closing) <= rule.parting or leans(ball, balls[j], scene.cloth)
     if quiet:  # contacts that last are the kernel's
         return happen_quickly(i, scene)
-    e = _restitution(law, rule)
+    e = _restitution(law, max(closing), rule)
     pushes = outcome([balls[m] for m in members], _within(contacts, members), e)
     if not _apply(contacts, pushes, scene):
         return UNSOLVED, len(contacts)
@@ -99,10 +100,10 @@ def _within(contacts: Contacts, members: list[int]) -> Contacts:
     return [(at[a], at[b]) for a, b in contacts]
 
 
-def _restitution(law: "HertzCluster", rule: Any) -> float:
+def _restitution(law: "HertzCluster", closing: float, rule: Any) -> float:
     if law.e is None and rule.kind == CUSTOM_BALL:
         raise ValueError("HertzCluster.e must be given: a custom ball law has no such number")
-    return max(LEAST, rule.restitution if law.e is None else law.e)
+    return max(LEAST, restitution(closing, rule) if law.e is None else law.e)
 
 
 def _apply(contacts: Contacts, pushes: Sequence[float], scene: Scene) -> bool:

@@ -15,6 +15,7 @@ HOMES = (  # of named things
 )  # fmt: skip
 TABLE = ("name", "kind", "length", "width", "radius", "mass")  # of a table, beside its laws
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
+SLOPES = ("e_slope", "mu_slope")  # of laws: written where they are not 0, as older files are
 DISTURBED = "disturbed"
 COMPLEX = ("position", "velocity", "acceleration", "roll")
 REAL = ("side", "height", "climb", "fall")
@@ -110,7 +111,8 @@ def _named(thing: Any) -> Data:
     """A law or an engine as data; of a custom one, or of a custom table, only its name."""
     if not _ours(thing):
         return {"name": f"{getattr(thing, '__name__', thing)} (custom)"}
-    return {"name": type(thing).__name__, **asdict(thing)}
+    values = {key: value for key, value in asdict(thing).items() if value or key not in SLOPES}
+    return {"name": type(thing).__name__, **values}
 
 
 def _table(table: Any) -> Data:

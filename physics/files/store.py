@@ -27,6 +27,7 @@ from .record import (
     DISTURBED,
     PAGE,
     REAL,
+    SLOPES,
     VERSION,
     Data,
     foresees,
@@ -223,7 +224,9 @@ def _pockets(node: Node) -> Any:
 
 def _made(kind: Any, node: Node) -> Any:
     """A dataclass from its fields; its own ValueError, with the place, if it refuses them."""
-    values = {field.name: node[field.name].value for field in fields(kind)}
+    names = [field.name for field in fields(kind)]
+    names = [name for name in names if name not in SLOPES or name in node.value]
+    values = {name: node[name].value for name in names}
     for name, value in values.items():
         if isinstance(value, bool) or not isinstance(value, int | float | str | None):
             raise ValueError(f"{node.where}.{name} must be a number or text, not {value!r:.60}")

@@ -84,6 +84,8 @@ class Rule:
     level: float = 1.0  # its distance from the vertical axis, sqrt(1 - height²)
     slide: float = 0.0  # friction at the cloth while a cushion is touched
     parting: float = 1e-3  # m/s: the least speed at which touching bodies separate
+    restitution_slope: float = 0.0  # what both gain for each m/s, see kernel/coefficients.py
+    friction_slope: float = 0.0
 
 
 @dataclass(slots=True, eq=False)

@@ -6,6 +6,7 @@ the cloth. `height` is how far the ball's lowest point is above the cloth, and b
 has left the table.
 """
 
+from .coefficients import roughness
 from .laws import SMOOTH_BALL, THESIS_BALL, ball_law, friction, rebound, reduced
 from .obstacle import facing, nose
 from .subset import complex, kernel, sqrt
@@ -29,7 +30,8 @@ def hit_nose(ball, wall, rule):
     size = sqrt(across * across + above * above)
     line, rise = -across / size * facing(wall, ball.position), above / size
     closing = (line.conjugate() * ball.velocity).real + rise * ball.climb
-    meet_fixed(ball, line, rise, rebound(closing, rule) - closing, rule.friction)
+    grip = roughness(closing, rule)
+    meet_fixed(ball, line, rise, rebound(closing, rule) - closing, grip)
 
 
 @kernel

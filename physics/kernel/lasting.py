@@ -12,6 +12,7 @@ one instant, losing energy each time, until nothing closes any more.
 
 from .body import CONTACTS
 from .cluster import NOISE, TOUCHING, join, pace, seat, touching
+from .coefficients import restitution
 from .grid import neighbours
 from .impulses import PUSH, RUB, WALL, ask, dot, other, parting, slip_between, solve
 from .laws import (
@@ -223,7 +224,7 @@ def stays(tie, most, balls, rule):
     if lent > 0.0 and closing <= 2.0 * lent:
         return True
     lift = 2.0 * most * HOP * balls[tie.first].radius  # the square of the speed of a hop
-    apart = rule.restitution * closing
+    apart = restitution(closing, rule) * closing
     fits = apart * apart <= lift and closing * closing <= 4.0 * lift
     return fits and rule.parting * rule.parting <= lift
 
@@ -248,7 +249,7 @@ def aim(tie, time, most, lasting, least, held, balls, walls, rule):
     elif back:
         tie.target = max(LIGHTLY * rule.parting, lift, least)
     else:
-        tie.target = max(rule.restitution * closing, rule.parting, lift)
+        tie.target = max(restitution(closing, rule) * closing, rule.parting, lift)
     return lift
 
 

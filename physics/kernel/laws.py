@@ -5,6 +5,7 @@ ball in the direction +x: the caller turns the picture there and back, and spins
 axis too where the line of centres is tilted. A complex rub is (along, upward).
 """
 
+from .coefficients import fraction, roughness
 from .elementary import exp
 from .mathavan import mathavan_cushion
 from .motion import length
@@ -21,7 +22,10 @@ def rebound(closing, rule):
 
     Touching bodies always separate; otherwise contacts could last forever.
     """
-    parting = rule.restitution * closing
+    e = rule.restitution
+    if rule.restitution_slope != 0.0:
+        e = fraction(e, rule.restitution_slope, closing)
+    parting = e * closing
     return closing + (parting if parting > rule.parting else rule.parting)
 
 
@@ -39,7 +43,7 @@ def rigid_cushion(v, roll, side, push, rule):
     """A push through the centre of the ball, m/s, and friction in the plane across it."""
     height, level = rule.height, rule.level
     slip = complex(v.imag + height * roll.imag - level * side, height * v.real + roll.real)
-    rub = friction(slip, rule.friction * push, 3.5)
+    rub = friction(slip, roughness(-level * v.real, rule) * push, 3.5)
     v += complex(level * push + height * rub.imag, rub.real)
     roll += 2.5 * complex(rub.imag, height * rub.real)
     return v, roll, side - 2.5 * level * rub.real
@@ -86,6 +90,8 @@ def grip(slip, rule):
     """The coefficient of friction between two balls."""
     if rule.kind == ALCIATORE_BALL:
         return 0.009951 + 0.108 * exp(-1.088 * length(slip))
+    if rule.friction_slope != 0.0:
+        return fraction(rule.friction, rule.friction_slope, length(slip))
     return rule.friction
 
 

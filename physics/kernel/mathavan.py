@@ -6,6 +6,7 @@ integrated, over its normal speed, which always grows: steps are short where a s
 ends, and a slip that has ended is held. Measured errors and cost: docs/accuracy.md.
 """
 
+from .coefficients import restitution, roughness
 from .motion import length
 from .subset import complex, kernel, sqrt
 
@@ -25,14 +26,14 @@ def slips(v, roll, side, rule):
 
 
 @kernel
-def rubbing(nose, cloth, none, rule):
+def rubbing(nose, cloth, none, mu, rule):
     """The rub for a push of 1: against the slip, as long as there is any."""
     speed = length(nose)
-    return -rule.friction / speed * nose if speed > none else holding(cloth, none, rule)
+    return -mu / speed * nose if speed > none else holding(cloth, none, mu, rule)
 
 
 @kernel
-def holding(cloth, none, rule):
+def holding(cloth, none, mu, rule):
     """The rub that keeps a nose without slip so, while the cloth slips; or all the rub there is."""
     height, level = rule.height, rule.level
     speed = length(cloth)
@@ -42,7 +43,7 @@ def holding(cloth, none, rule):
     most = max(0.0, height - level * rise)
     rub = complex((1.0 - 2.5 * height) / 3.5 * most * back.imag, rise)
     size = length(rub)
-    return rule.friction / size * rub if size > rule.friction else rub
+    return mu / size * rub if size > mu else rub
 
 
 @kernel
@@ -61,10 +62,10 @@ def dragging(rub, cloth, none, rule):
 
 
 @kernel
-def rates(v, roll, side, none, rule):
+def rates(v, roll, side, none, mu, rule):
     """What v, roll, side and the push gain as the normal speed grows by 1."""
     nose, cloth = slips(v, roll, side, rule)
-    rub = rubbing(nose, cloth, none, rule)
+    rub = rubbing(nose, cloth, none, mu, rule)
     drag = dragging(rub, cloth, none, rule)
     force = complex(rule.level + rule.height * rub.imag, rub.real) + drag
     push = 1.0 / force.real
@@ -74,13 +75,13 @@ def rates(v, roll, side, none, rule):
 
 
 @kernel
-def leap(v, roll, side, h, rate, none, rule):
+def leap(v, roll, side, h, rate, none, mu, rule):
     """One step of Runge and Kutta's fourth order; fourth comes the work of the push."""
     half, sixth, u = 0.5 * h, h / 6.0, v.real
     a1, b1, c1, p1 = rate
-    a2, b2, c2, p2 = rates(v + half * a1, roll + half * b1, side + half * c1, none, rule)
-    a3, b3, c3, p3 = rates(v + half * a2, roll + half * b2, side + half * c2, none, rule)
-    a4, b4, c4, p4 = rates(v + h * a3, roll + h * b3, side + h * c3, none, rule)
+    a2, b2, c2, p2 = rates(v + half * a1, roll + half * b1, side + half * c1, none, mu, rule)
+    a3, b3, c3, p3 = rates(v + half * a2, roll + half * b2, side + half * c2, none, mu, rule)
+    a4, b4, c4, p4 = rates(v + h * a3, roll + h * b3, side + h * c3, none, mu, rule)
     return (
         v + sixth * (a1 + 2.0 * (a2 + a3) + a4),
         roll + sixth * (b1 + 2.0 * (b2 + b3) + b4),
@@ -105,13 +106,13 @@ def steady(slip, rate, none, closing, step):
 
 
 @kernel
-def stride(v, roll, side, rate, rest, none, closing, rule):
+def stride(v, roll, side, rate, rest, none, closing, mu, rule):
     """How far to go at once: both slips stay steady, and friction cannot overshoot."""
     nose, cloth = slips(v, roll, side, rule)
     turning, skidding = slips(rate[0], rate[1], rate[2], rule)
     h = steady(cloth, skidding, none, closing, min(rest, LEAP * closing))
     h = steady(nose, turning, none, closing, h)
-    speed, stop = length(nose), 3.5 * rule.friction * rate[3]
+    speed, stop = length(nose), 3.5 * mu * rate[3]
     if speed > none and h * stop > speed:
         h = speed / stop
     return 0.5 * rest if 0.6 * rest < h < rest else h
@@ -128,21 +129,22 @@ def left(u, work, push, rule):
 def mathavan_cushion(v, roll, side, rule):
     """In until the normal speed is 0, then out until the share e² of the work has come back."""
     closing = max(-v.real, rule.parting)
+    e, mu = restitution(rule.level * closing, rule), roughness(rule.level * closing, rule)
     none = NONE * closing
     work, goal, steps = 0.0, 0.0, 0
     while True:
-        rate = rates(v, roll, side, none, rule)
+        rate = rates(v, roll, side, none, mu, rule)
         u = v.real
         rest = -u if u < 0.0 else left(u, goal - work, rate[3], rule)
         # so written that a NaN ends it too
         if not (u < 0.0 or rest > CLOSE * closing):
             return v + rest * rate[0], roll + rest * rate[1], side + rest * rate[2]
-        h = stride(v, roll, side, rate, rest, none, closing, rule)
-        v, roll, side, done = leap(v, roll, side, h, rate, none, rule)
+        h = stride(v, roll, side, rate, rest, none, closing, mu, rule)
+        v, roll, side, done = leap(v, roll, side, h, rate, none, mu, rule)
         work += done
         steps += 1
         if steps % PATIENCE == 0:
             none *= 10.0
         if u < 0.0 and h == rest:
             v = complex(0.0, v.imag)
-            goal = (1.0 - rule.restitution * rule.restitution) * work
+            goal = (1.0 - e * e) * work

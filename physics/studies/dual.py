@@ -115,13 +115,13 @@ def value(x: Any) -> Any:
     return x.value if isinstance(x, Dual) else x
 
 
-def slope(x: Any) -> Any:
-    """Its derivatives: zeros, (5,), for a plain number."""
+def slope(x: Any, inputs: int) -> Any:
+    """Its derivatives: zeros, (inputs,), for a plain number."""
     if isinstance(x, Dual):
         return x.slope
     import numpy as np
 
-    return np.zeros(5)
+    return np.zeros(inputs)
 
 
 def smooth(function: Callable[[float], Any], derivative: Callable[[float, Any], Any]) -> Any:
@@ -151,11 +151,12 @@ def probed(law: Callable[..., tuple[Any, ...]], *arguments: Any) -> tuple[Any, .
     Fourth order: about 1e-11 of the slope, if the law has no kink within `STEP`.
     """
     at = [value(x) for x in arguments]
+    inputs = next((len(x.slope) for x in arguments if isinstance(x, Dual)), 0)
     step = STEP * max(abs(x) for x in at)
     results = law(*at)
-    slopes = [slope(0.0) for _ in results]
+    slopes = [slope(0.0, inputs) for _ in results]
     for k, x in enumerate(arguments):
-        for unit, change in ((1.0, slope(x).real), (1j, slope(x).imag)):
+        for unit, change in ((1.0, slope(x, inputs).real), (1j, slope(x, inputs).imag)):
             if not change.any():
                 continue
             a, b, c, d = (

@@ -1,4 +1,4 @@
-"""How much an outcome depends on the shot: exact derivatives through every event.
+"""How much an outcome depends on the shot and its world: exact derivatives through every event.
 
 The shot is played once with plain numbers; then its events are gone through again with numbers that
 carry derivatives (`physics.studies.dual`), by the same kernel. Between events that is the tangent
@@ -8,44 +8,45 @@ differentiated as it is written, on the branch (sticking or slipping) that it to
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
-from math import inf, nan, pi
+from math import inf, nan
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from physics.ball import Ball
-from physics.checks import nonnegative, vector
+from physics.checks import array, nonnegative, vector
 from physics.engines.exact import EventDriven
 from physics.kernel.impulses import WALL
 from physics.kernel.kinds import AIRBORNE, CUSHION, DROP, KINDS, PAIR, RESTING, ROLL
 from physics.kernel.lasting import FEW
 from physics.log import Event
-from physics.shot import Shot, direction
+from physics.shot import Shot
 from physics.simulation import simulate
 from physics.world import World
 
 from .dual import Dual, kernel, slope, value
+from .parameters import NUMBERS, Seeds, names
 
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
     Array = npt.NDArray[np.float64]
+    Errors = Sequence[float] | Mapping[str, float] | npt.NDArray[np.float64]
 
-NUMBERS = ("speed", "angle", "follow", "masse", "side")
 SPEED, ANGLE, FOLLOW, MASSE, SIDE = range(5)
 AIM = (0.0, 1.0, 0.0, 0.0, 0.0)  # errors of a player who only aims badly
 
 
 class EventSlope(NamedTuple):
-    """An event and its derivatives by the five numbers of the shot, in the order of `NUMBERS`.
+    """An event and its derivatives by the N inputs that were asked for, in their order.
 
     event: as in the log.
-    time: (5,) s.
-    before, after: (balls, 7, 5), rows x, y m, vx, vy m/s, wx, wy, wz rad/s, of each of the event's
+    time: (N,) s.
+    before, after: (balls, 7, N), rows x, y m, vx, vy m/s, wx, wy, wz rad/s, of each of the event's
     balls just before and just after it.
-    All are per m/s, but column `ANGLE` per degree. They follow the event to its new time; at a
-    fixed time the position of a ball changes by
+    All are per unit of the input, which for "angle" is a degree. They follow the event to its new
+    time; at a fixed time the position of a ball changes by
     `after[k, :2] - outer(event.after[k].velocity, time)`.
     """
 
@@ -55,13 +56,13 @@ class EventSlope(NamedTuple):
     after: Array
 
     def headings(self, after: bool = True) -> Array:
-        """(balls, 5): how the direction of each ball turns, radians; 0 for one that rests."""
+        """(balls, N): how the direction of each ball turns, radians; 0 for one that rests."""
         import numpy as np
 
         states, slopes = (
             (self.event.after, self.after) if after else (self.event.before, self.before)
         )
-        turns = np.zeros((len(states), 5))
+        turns = np.zeros((len(states), len(self.time)))
         for k, state in enumerate(states):
             (vx, vy), (dx, dy) = state.velocity, slopes[k, 2:4]
             if vx or vy:
@@ -74,35 +75,48 @@ class Sensitivity(NamedTuple):
 
     world: after the shot; the events are those of its log.
     events: one EventSlope for each.
-    rest: (balls, 2, 5) derivatives of where each of the world's balls comes to rest, m per m/s, and
-    per degree in column `ANGLE`; NaN for a ball that never rests.
+    rest: (balls, 2, N) derivatives of where each of the world's balls comes to rest, m per unit of
+    the input; NaN for a ball that never rests.
+    by: the names of the N inputs.
     """
 
     world: World
     events: tuple[EventSlope, ...]
     rest: Array
+    by: tuple[str, ...] = NUMBERS
 
-    def covariance(self, errors: Sequence[float]) -> Array:
-        """(balls, 2, 2) m²: scatter at rest, for standard deviations of the five numbers.
+    def covariance(self, errors: Errors) -> Array:
+        """(balls, 2, 2) m²: scatter at rest, for errors of the inputs.
 
-        errors: five, independent, in the units of the shot. To first order: meant for errors so
-        small that the events keep their order.
+        errors: standard deviations of the N inputs, independent, in their units; or of some of
+        them by name ("positions" for all places), the others being exact; or (N, N), their
+        covariance. To first order: meant for errors so small that the events keep their order.
         """
-        scaled = self.rest * _errors(errors)
-        result: Array = scaled @ scaled.transpose(0, 2, 1)
+        result: Array = self.rest @ self._spread(errors) @ self.rest.transpose(0, 2, 1)
         return result
 
-    def amplification(self, errors: Sequence[float] = AIM) -> Array:
+    def _spread(self, errors: Errors) -> Array:
+        """(N, N): the covariance of the inputs."""
+        import numpy as np
+
+        if not isinstance(errors, Mapping) and np.ndim(errors) == 2:
+            wide, n = array("errors", errors), len(self.by)
+            if wide.shape != (n, n) or not (wide == wide.T).all() or not np.isfinite(wide).all():
+                raise ValueError(f"errors must be symmetric and finite, {n} x {n}, not {errors!r}")
+            return wide
+        return np.diag(_errors(errors, self.by, self.world) ** 2)
+
+    def amplification(self, errors: Errors | None = None) -> Array:
         """(hits,): by how much each hit of two balls multiplies an error of direction.
 
         That is the rms error of heading just after it over that just before it, of whichever ball
-        has the larger one, for standard deviations `errors` of the five numbers; without them, of
-        the aim alone. A straight hit at distance D gives D/2R - 1 (docs/physics.md). Infinite where
-        no error came in, NaN where none came out either.
+        has the larger one, for standard deviations `errors` of the inputs, as in `covariance`;
+        without them, of the aim alone. A straight hit at distance D gives D/2R - 1
+        (docs/physics.md). Infinite where no error came in, NaN where none came out either.
         """
         import numpy as np
 
-        weights = _errors(errors)
+        weights = _errors({"angle": 1.0} if errors is None else errors, self.by, self.world)
         hits = [slopes for slopes in self.events if slopes.event.kind == "ball"]
         before, after = (
             np.array([_spread(hit.headings(side) * weights) for hit in hits])
@@ -113,10 +127,19 @@ class Sensitivity(NamedTuple):
         return factors
 
 
-def _errors(errors: Sequence[float]) -> Array:
+def _errors(errors: Errors, by: tuple[str, ...], world: World) -> Array:
+    """(N,): standard deviations of the inputs."""
     import numpy as np
 
-    numbers = vector("errors", errors, 5)
+    if isinstance(errors, Mapping):
+        found = dict.fromkeys(by, 0.0)
+        for name, error in errors.items():
+            for one in names(world, [name]):
+                if one not in found:
+                    raise ValueError(f"errors: {one!r} is none of the inputs {', '.join(by)}")
+                found[one] = error
+        errors = [*found.values()]
+    numbers = vector("errors", tuple(errors), len(by))
     return np.array([nonnegative("errors", number) for number in numbers])
 
 
@@ -124,8 +147,14 @@ def _spread(headings: Array) -> Any:
     return (headings**2).sum(axis=1).max() ** 0.5
 
 
-def sensitivity(world: World, ball: Ball | str, shot: Shot) -> Sensitivity:
-    """Derivatives of all that follows from a shot, by its speed, angle, follow, masse and side.
+def sensitivity(
+    world: World, ball: Ball | str, shot: Shot, by: Iterable[str] = NUMBERS
+) -> Sensitivity:
+    """Derivatives of all that follows from a shot, by the inputs named in `by`.
+
+    They are "speed", "angle", "follow", "masse" and "side" of the shot; where balls lie before it,
+    "white.x" and "white.y" for one named white, m, or "positions" for all; and coefficients, such
+    as "cloth.slide", "cushion.e" or "ball.mu", by the names they have in `Cloth` and `laws`.
 
     ball is one of the world's, or its name; the world stays as it is. Exact up to rounding, which
     every hit magnifies; a custom law is probed by differences, to about 1e-11. See
@@ -137,23 +166,31 @@ def sensitivity(world: World, ball: Ball | str, shot: Shot) -> Sensitivity:
     a parting speed at the engine's `vmin`. On both sides the numbers are right, and different. A
     contact that begins without speed gives NaN.
 
-    ValueError if the engine is not EventDriven, if the world has no such ball, if one flies, or if
-    three balls meet under a HertzCluster.
+    ValueError for inputs that the world has not, if the engine is not EventDriven, if the world
+    has no such ball, if one flies, or if three balls meet under a HertzCluster.
     """
     if not isinstance(world.engine, EventDriven):
         raise ValueError(f"sensitivity needs the engine EventDriven, not {world.engine!r}")
+    by = names(world, by)
     after = simulate(world, ball, shot)
     if any(leg.phase == AIRBORNE for name in after.log.names for leg in after.log.legs(name)):
         raise ValueError("sensitivity knows no derivatives of balls in the air")
-    replay = _Replay(after, after.ball(ball).name, shot)
-    return Sensitivity(after, tuple(replay.events()), replay.rest())
+    replay = Replay(after, after.ball(ball).name, shot, by)
+    return Sensitivity(after, tuple(replay.events()), replay.rest(), by)
 
 
-class _Replay:
+class Replay:
     """The balls of a finished shot once more, on dual numbers."""
 
-    def __init__(self, world: World, struck: str, shot: Shot) -> None:
-        self.scene, self.log, self.kernel = world.scene, world.log, kernel()
+    def __init__(
+        self, world: World, struck: str, shot: Shot, by: tuple[str, ...] = NUMBERS
+    ) -> None:
+        self.seeds, self.log, self.kernel = Seeds(world, by), world.log, kernel()
+        self.scene = world.scene._replace(
+            cloth=self.seeds.cloth,
+            cushion_rule=self.seeds.cushion_rule,
+            ball_rule=self.seeds.ball_rule,
+        )
         self.cluster_law = world.cluster_law
         self.balls = [self._body(ball, shot, ball.name == struck) for ball in world.balls]
 
@@ -161,18 +198,19 @@ class _Replay:
         """The ball as its first leg began: only the struck one depends on the shot."""
         leg = self.log.legs(ball.name)[0]
         motion = (leg.velocity, leg.roll, leg.side)
-        slopes = _push(shot) if struck else (_zeros(),) * 3
+        slopes = self.seeds.push(shot) if struck else (self.seeds.zeros(),) * 3
         body = self.kernel.body.Body(ball.radius, ball.mass, ball.body.lift)
-        body.since, body.position, body.height = leg.since, Dual(leg.position, _zeros()), leg.height
+        body.since, body.height = leg.since, leg.height
+        body.position = Dual(leg.position, self.seeds.place(ball.name))
         body.velocity, body.roll, body.side = map(Dual, motion, slopes)
-        self._plan(body)
+        self.plan(body)
         return body
 
-    def _plan(self, body: Any) -> None:
+    def plan(self, body: Any) -> None:
         slip, cloth = body.velocity - body.roll, self.scene.cloth
         if abs(value(slip)) <= cloth.still and slip != 0.0 and cloth.slide > 0.0:
             # it rolls, but would slip after another shot, for a moment that leaves 5/7 v + 2/7 w
-            rolling = (5.0 * slope(body.velocity) + 2.0 * slope(body.roll)) / 7.0
+            rolling = (5.0 * self.slope(body.velocity) + 2.0 * self.slope(body.roll)) / 7.0
             body.velocity = body.roll = Dual(value(body.velocity), rolling)
         body.leg_end = body.since + self.kernel.leg.begin(body, cloth)
 
@@ -193,10 +231,11 @@ class _Replay:
                 self._collide(kind, i, other, pairs)
             for m in involved:
                 self._count_hops(self.balls[m], kind, bool(shared and shared[3]))
-                self._plan(self.balls[m])
-            after = {m: _rows(self.balls[m]) for m in involved}
+                self.plan(self.balls[m])
+            after = {m: self._rows(self.balls[m]) for m in involved}
             for (event, _), pair in zip(blows, pairs or [[i]], strict=True):
-                yield EventSlope(event, slope(moment), _stack(before, pair), _stack(after, pair))
+                slopes = _stack(before, pair), _stack(after, pair)
+                yield EventSlope(event, self.slope(moment), *slopes)
 
     def _moment(self, time: float, kind: int, i: int, other: int) -> Dual:
         """When it happens: a contact when the gap, which depends on the shot, has closed, and a
@@ -213,7 +252,7 @@ class _Replay:
             p, v = p - q, v - w
             toward = value(p).conjugate()
         closing = value((toward * v).real)
-        return Dual(time, -slope((toward * p).real) / (closing or nan))
+        return Dual(time, -self.slope((toward * p).real) / (closing or nan))
 
     def _at(self, ball: Any, time: float) -> tuple[Any, Any]:
         """Position and velocity on its leg, at a time that does not depend on the shot."""
@@ -223,7 +262,7 @@ class _Replay:
     def _carry(self, involved: list[int], moment: Dual) -> dict[int, Array]:
         for m in involved:
             self.kernel.leg.carry(self.balls[m], moment, self.scene.cloth)
-        return {m: _rows(self.balls[m]) for m in involved}
+        return {m: self._rows(self.balls[m]) for m in involved}
 
     def _collide(self, kind: int, i: int, other: int, pairs: list[list[int]]) -> None:
         scene, laws, balls = self.scene, self.kernel.laws, self.balls
@@ -281,45 +320,28 @@ class _Replay:
         return self.kernel.obstacle.facing(self.scene.walls[k], p)
 
     def rest(self) -> Array:
-        """(balls, 2, 5): of the positions, once there are no more events."""
+        """(balls, 2, N): of the positions, once there are no more events."""
         import numpy as np
 
-        never = np.full((2, 5), nan)
-        return np.array([_rows(b)[:2] if b.phase == RESTING else never for b in self.balls])
+        never = np.full((2, len(self.seeds.by)), nan)
+        return np.array([self._rows(b)[:2] if b.phase == RESTING else never for b in self.balls])
+
+    def slope(self, x: Any) -> Any:
+        return slope(x, len(self.seeds.by))
+
+    def _rows(self, ball: Any) -> Array:
+        """(7, N): x, y, vx, vy, wx, wy, wz."""
+        import numpy as np
+
+        p, v = self.slope(ball.position), self.slope(ball.velocity)
+        w, side = self.slope(ball.roll) / ball.radius, self.slope(ball.side) / ball.radius
+        return np.stack((p.real, p.imag, v.real, v.imag, -w.imag, w.real, side))
 
 
 def _instant(numbered: Any) -> tuple[int, int]:
     """A key that the blows of a cluster share, as they share its record, and nothing else does."""
     number, (_, raw) = numbered
     return (-1, id(raw[-1][2])) if raw[-1] else (number, 0)
-
-
-def _zeros() -> Array:
-    import numpy as np
-
-    return np.zeros(5)
-
-
-def _push(shot: Shot) -> tuple[Any, Any, Any]:
-    """How velocity, roll and side of the struck ball depend on the five numbers."""
-    import numpy as np
-
-    along, degree = direction(shot.angle), 1j * pi / 180.0
-    velocity, roll, side = np.zeros(5, complex), np.zeros(5, complex), np.zeros(5)
-    velocity[[SPEED, ANGLE]] = along, degree * shot.velocity()
-    roll[[FOLLOW, MASSE, ANGLE]] = along, -1j * along, degree * shot.roll()
-    side[SIDE] = 1.0
-    return velocity, roll, side
-
-
-def _rows(ball: Any) -> Array:
-    """(7, 5): x, y, vx, vy, wx, wy, wz."""
-    import numpy as np
-
-    p, v, w = slope(ball.position), slope(ball.velocity), slope(ball.roll) / ball.radius
-    return np.stack(
-        (p.real, p.imag, v.real, v.imag, -w.imag, w.real, slope(ball.side) / ball.radius)
-    )
 
 
 def _stack(rows: dict[int, Array], of: Iterable[int]) -> Array:

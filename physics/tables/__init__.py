@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 from .carom_tables import (
     CLOTHS,
     MATCH_CAROM,
+    MATCH_CAROM_2,
+    MATCH_EDITIONS,
     MEASURED,
     MEDIUM_CAROM,
     THESIS,
@@ -31,9 +33,10 @@ if TYPE_CHECKING:
     from .pockets import Mouth, Pockets
 
 __all__ = [
-    "CLOTHS", "MATCH_CAROM", "MEASURED", "MEDIUM_CAROM", "PYRAMID_12FT", "SNOOKER_12FT", "THESIS",
-    "Mouth", "Pockets", "Table", "match_carom", "medium_carom", "pool", "pool_7ft", "pool_8ft",
-    "pool_9ft", "pyramid_12ft", "snooker_12ft", "thesis",
+    "CLOTHS", "MATCH_CAROM", "MATCH_CAROM_2", "MATCH_EDITIONS", "MEASURED", "MEDIUM_CAROM",
+    "PYRAMID_12FT", "SNOOKER_12FT", "THESIS", "Mouth", "Pockets", "Table", "match_carom",
+    "medium_carom", "pool", "pool_7ft", "pool_8ft", "pool_9ft", "pyramid_12ft", "snooker_12ft",
+    "thesis",
 ]  # fmt: skip
 
 

@@ -1,12 +1,14 @@
 """The carom tables, and cloths in their conditions (sources in docs/accuracy.md)."""
 
+from dataclasses import replace
+
 from physics import laws
 from physics.cloth import Cloth
 from physics.world import World
 
 from .table import Table
 
-# Measured on tracked three-cushion shots, but for spin_decay, which those cannot show.
+# Measured on tracked three-cushion shots, but for spin_decay, a usual value; see edition 2 below.
 MEASURED = Cloth(slide=0.212, roll=0.0045, spin_decay=10.0, gravity=9.81)
 
 # No source measures one cloth in its three conditions. These are the low end, the usual value and
@@ -34,6 +36,17 @@ MATCH_CAROM = Table(
     "match carom",
 )  # fmt: skip
 
+# What more strokes show (docs/accuracy.md, "Equipment and coefficients"): side that lasts longer,
+# cushions that give back less the faster they are met, friction of balls that a constant fits best.
+MATCH_CAROM_2 = replace(
+    MATCH_CAROM,
+    name="match carom 2",
+    cloth=replace(MEASURED, spin_decay=4.3),
+    ball_law=laws.RoughBall(0.946, 0.05),
+    cushion_law=laws.RigidCushion(0.871, 0.269, 0.037 / 0.03075, e_slope=-0.051),
+)
+MATCH_EDITIONS = {1: MATCH_CAROM, 2: MATCH_CAROM_2}
+
 
 def thesis() -> World:
     """The thesis's table and laws, with exact events."""
@@ -45,6 +58,13 @@ def medium_carom() -> World:
     return MEDIUM_CAROM.world()
 
 
-def match_carom() -> World:
-    """The match table (대대) with 61.5 mm balls, for three-cushion."""
-    return MATCH_CAROM.world()
+def match_carom(edition: int = 1) -> World:
+    """The match table (대대) with 61.5 mm balls, for three-cushion.
+
+    edition: 1, or 2 with what later measurements say. An edition never changes, so that what was
+    played on it keeps its digits; ValueError for one that there is not.
+    """
+    if edition not in MATCH_EDITIONS:
+        known = ", ".join(map(str, MATCH_EDITIONS))
+        raise ValueError(f"match_carom edition must be one of {known}, not {edition!r}")
+    return MATCH_EDITIONS[edition].world()

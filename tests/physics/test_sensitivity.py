@@ -20,7 +20,7 @@ from physics import (
     tables,
 )
 from physics.studies.dual import value
-from physics.studies.sensitivity import ANGLE, SPEED, _Replay
+from physics.studies.sensitivity import ANGLE, SPEED, Replay
 from tests.support import fifty
 
 STEP = "1e-16"  # in 50 digits: truncation and rounding both stay below 1e-20 of the result
@@ -168,7 +168,7 @@ def test_a_shot_among_balls_of_three_sizes_has_ten_digits_of_every_derivative():
 
 def test_the_shot_is_gone_through_again_bit_for_bit():
     after = simulate(carom(), "white", Shot(5.0, 33.0, 0.5, 1.0, 1.5))
-    again = _Replay(after, "white", Shot(5.0, 33.0, 0.5, 1.0, 1.5))
+    again = Replay(after, "white", Shot(5.0, 33.0, 0.5, 1.0, 1.5))
     assert len(list(again.events())) == len(after.log) > 20
     for ball, twin in zip(after.balls, again.balls, strict=True):
         assert value(twin.position) == complex(*ball.position)

@@ -114,6 +114,8 @@ def test_a_shot_comes_back_bit_for_bit(shot):
 def laws_there_are():
     cushions = [laws.RigidCushion(0.8, 0.2, 1.25), laws.ThesisCushion(), laws.CappedCushion(0.7)]
     balls = [laws.RoughBall(), laws.RoughBall(0.9, 0.06), laws.SmoothBall(1.0), laws.ThesisBall()]
+    cushions.append(laws.RigidCushion(0.871, 0.269, 1.2, -0.051, 0.01))
+    balls += [laws.SmoothBall(0.9, -0.02), laws.RoughBall(0.95, 0.06, -0.02, -0.01)]
     if hasattr(laws, "MathavanCushion"):
         cushions.append(laws.MathavanCushion())
     return [(cushions[k % len(cushions)], ball) for k, ball in enumerate(balls)]

@@ -106,3 +106,23 @@ def test_a_new_cloth_stops_a_ball_later_than_the_table_s_own(preset, angle):
         world.add(Ball("white", at=(0.0, 0.0), radius=preset.radius, mass=preset.mass))
         times.append(simulate(world, "white", Shot(4.0, angle)).time)
     assert times == sorted(times, reverse=True)
+
+
+def test_an_edition_of_the_match_table_never_changes():
+    first, second = (tables.match_carom(edition) for edition in (1, 2))
+    assert (first.cloth, first.ball_law, first.cushion_law) == (
+        Cloth(0.212, 0.0045, 10.0, 9.81), laws.RoughBall(0.946, "alciatore"),
+        laws.RigidCushion(0.891, 0.242, 0.037 / 0.03075),
+    )  # fmt: skip
+    assert (second.cloth, second.ball_law, second.cushion_law) == (
+        Cloth(0.212, 0.0045, 4.3, 9.81), laws.RoughBall(0.946, 0.05),
+        laws.RigidCushion(0.871, 0.269, 0.037 / 0.03075, e_slope=-0.051),
+    )  # fmt: skip
+    assert tables.match_carom().cushion_law == first.cushion_law
+    assert first.walls == second.walls
+
+
+@pytest.mark.parametrize("edition", [0, 3, "2"])
+def test_an_edition_that_there_is_not_is_refused(edition):
+    with pytest.raises(ValueError, match=f"edition must be one of 1, 2, not {edition!r}"):
+        tables.match_carom(edition)
