@@ -9,7 +9,7 @@ are complex numbers in m/s; roll is -i R ω, side is R ω_z; impulses in N s. Be
 sizes v and push are along the table, and roll and side turned as docs/physics.md says.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import sqrt
 from typing import Any, ClassVar
@@ -305,9 +305,7 @@ def cluster_law(law: "str | HertzCluster | None") -> HertzCluster | None:
     raise ValueError(f'cluster law must be None, "hertz" or a HertzCluster, not {law!r}')
 
 
-def _law(
-    what: str, law: Any, names: dict[str, Callable[[], Any]], others: tuple[type, ...]
-) -> Any:
+def _law(what: str, law: Any, names: dict[str, Callable[[], Any]], others: tuple[type, ...]) -> Any:
     if isinstance(law, str):
         if law not in names:
             known = ", ".join(sorted(names))
@@ -340,6 +338,19 @@ def cushion_rule(law: CushionLaw, parting: float, before: Rule | None = None) ->
         rule = CustomRule(_bent(kernel.FOREIGN_CUSHION, air.e, air.mu, nose), law)
     rule.parting = parting
     return rule
+
+
+def cushion_rules(
+    wanted: Sequence[CushionLaw | None], slide: float, parting: float, before: Rule | None
+) -> list[Rule]:
+    """The law of a world's cushions as the kernel wants it, and that of each wall, if one of them
+    has its own: None has the world's."""
+    common, *own = (
+        None if law is None else cushion_rule(on_cloth(law, slide), parting, before)
+        for law in wanted
+    )
+    assert common is not None
+    return [common, *(rule or common for rule in own)] if any(own) else [common]
 
 
 def ball_rule(law: BallLaw, parting: float) -> Rule:
