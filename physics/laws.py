@@ -13,7 +13,7 @@ at 1 m/s, and change by e_slope and mu_slope for each m/s more, within 0 and 1. 
 closing, as `Event.closing` has it; for the friction between balls it is that of their slip.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import sqrt
 from typing import Any, ClassVar
@@ -346,9 +346,7 @@ def cluster_law(law: "str | HertzCluster | None") -> HertzCluster | None:
     raise ValueError(f'cluster law must be None, "hertz" or a HertzCluster, not {law!r}')
 
 
-def _law(
-    what: str, law: Any, names: dict[str, Callable[[], Any]], others: tuple[type, ...]
-) -> Any:
+def _law(what: str, law: Any, names: dict[str, Callable[[], Any]], others: tuple[type, ...]) -> Any:
     if isinstance(law, str):
         if law not in names:
             known = ", ".join(sorted(names))
@@ -381,6 +379,19 @@ def cushion_rule(law: CushionLaw, parting: float, before: Rule | None = None) ->
         rule = CustomRule(_bent(kernel.CUSTOM_CUSHION, air.e, air.mu, nose), law)
     rule.parting = parting
     return rule
+
+
+def cushion_rules(
+    wanted: Sequence[CushionLaw | None], slide: float, parting: float, before: Rule | None
+) -> list[Rule]:
+    """The law of a world's cushions as the kernel wants it, and that of each wall, if one of them
+    has its own: None has the world's."""
+    common, *own = (
+        None if law is None else cushion_rule(on_cloth(law, slide), parting, before)
+        for law in wanted
+    )
+    assert common is not None
+    return [common, *(rule or common for rule in own)] if any(own) else [common]
 
 
 def ball_rule(law: BallLaw, parting: float) -> Rule:

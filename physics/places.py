@@ -7,6 +7,7 @@ from .ball import Ball
 from .kernel.body import Rule
 from .kernel.motion import length
 from .kernel.obstacle import nose
+from .laws import cushion_rule
 from .wall import Obstacle
 
 OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene typed by hand
@@ -56,6 +57,8 @@ def _depth(ball: Ball, wall: Obstacle, rule: Rule) -> float:
     """How far the ball is in the wall, m; in the air only the wall's nose is in its way."""
     if not wall.pushes:
         return -wall.distance(ball.position) if ball.height == 0.0 else 0.0
+    if wall.own_law is not None:
+        rule = cushion_rule(wall.own_law, rule.parting, rule)
     across, above = nose(wall.shape, complex(*ball.position), ball.radius, ball.height, rule)
     if ball.height > 0.0 and across > 0.0:
         return ball.radius - hypot(across, above)

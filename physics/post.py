@@ -5,7 +5,7 @@ from typing import Any, ClassVar
 
 from .checks import keep, nonnegative, positive, vector
 from .kernel.obstacle import POCKET, POST, Shape
-from .wall import Arc, Obstacle, Point, Segment, Wall, around, rounded
+from .wall import Arc, Law, Obstacle, Point, Segment, Wall, around, keep_law, rounded
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,6 +15,7 @@ class Post(Obstacle):
     at: (x, y) of its middle, m.
     radius: m; 0 for a point.
     name: for events, or None.
+    law: its cushion law, if it is not the world's.
     shape: what the kernel knows it by.
     """
 
@@ -24,9 +25,11 @@ class Post(Obstacle):
     at: Point
     radius: float
     name: str | None = None
+    law: Law = None
     shape: Shape = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
+        keep_law(self)
         object.__setattr__(self, "at", vector("Post.at", self.at, 2))
         keep(self, nonnegative, "radius")
         centre = complex(*self.at)

@@ -13,8 +13,10 @@ from .kernel.elementary import direction
 from .kernel.leg import travelled
 from .kernel.motion import length
 from .kernel.obstacle import ARC, SEGMENT, Shape
+from .laws import CushionLaw, cushion_law
 
 Point = tuple[float, float]
+Law = str | CushionLaw | None
 
 UNIT = 1e-9  # how far the length of a normal may be from 1
 ROUNDING = 4e-16  # and of one that is a unit as far as it can be
@@ -33,6 +35,12 @@ class Obstacle:
     noun: ClassVar[str] = "wall"
     name: str | None
     shape: Shape
+
+    @property
+    def own_law(self) -> CushionLaw | None:
+        """The law of its cushion, if it is not the world's."""
+        law: CushionLaw | None = getattr(self, "law", None)
+        return law
 
     def distance(self, p: tuple[float, float]) -> float:
         """How far away the point (x, y) is, m; negative inside it or behind it."""
@@ -74,6 +82,7 @@ class Wall(Obstacle):
     normal: inward unit normal, as a complex number.
     offset: m.
     name: for events, or None.
+    law: its cushion law, if it is not the world's.
     shape: for the kernel, from normal and offset.
     """
 
@@ -82,9 +91,11 @@ class Wall(Obstacle):
     normal: complex
     offset: float
     name: str | None = None
+    law: Law = None
     shape: Shape = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
+        keep_law(self)
         keep(self, finite, "offset")
         normal = _unit(self.normal)
         size = length(normal)
@@ -96,7 +107,7 @@ class Wall(Obstacle):
         object.__setattr__(self, "shape", shape)
 
     @classmethod
-    def line(cls, a: float, b: float, d: float, name: str | None = None) -> "Wall":
+    def line(cls, a: float, b: float, d: float, name: str | None = None, law: Law = None) -> "Wall":
         """The line a x + b y + d = 0 with the balls where it is positive: the thesis's equation."""
         a, b, d = (
             finite(f"Wall.line {key}", value) for key, value in zip("abd", (a, b, d), strict=True)
@@ -104,32 +115,31 @@ class Wall(Obstacle):
         size = length(complex(a, b))
         if size == 0.0:
             raise ValueError(f"Wall.line a and b must not both be zero, not {a!r}, {b!r}")
-        return cls(complex(a / size, b / size), -d / size, name)
+        return cls(complex(a / size, b / size), -d / size, name, law)
 
     @classmethod
-    def through(
-        cls, p: tuple[float, float], q: tuple[float, float], name: str | None = None
-    ) -> "Wall":
+    def through(cls, p: Point, q: Point, name: str | None = None, law: Law = None) -> "Wall":
         """The line from p to q, metres, with the balls on its left."""
         px, py = vector("Wall.through p", p, 2)
         qx, qy = vector("Wall.through q", q, 2)
         if (px, py) == (qx, qy):
             raise ValueError(f"Wall.through needs two points, not {p!r} twice")
         a, b = py - qy, qx - px
-        return cls.line(a, b, -(a * px + b * py), name)
+        return cls.line(a, b, -(a * px + b * py), name, law)
 
     @staticmethod
-    def segment(p: Point, q: Point, name: str | None = None) -> "Segment":
+    def segment(p: Point, q: Point, name: str | None = None, law: Law = None) -> "Segment":
         """The straight wall from p to q, metres, with the table on its left."""
-        return Segment(p, q, name)
+        return Segment(p, q, name, law)
 
     @staticmethod
     def arc(
-        centre: Point, radius: float, start: float, end: float, name: str | None = None
-    ) -> "Arc":
+        centre: Point, radius: float, start: float, end: float, name: str | None = None,
+        law: Law = None,
+    ) -> "Arc":  # fmt: skip
         """The part of a circle, metres, from the direction `start` anticlockwise to `end`, degrees
         from the x axis, with the table on its inside."""
-        return Arc(centre, radius, start, end, name)
+        return Arc(centre, radius, start, end, name, law)
 
     def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
         return float(obstacle.farthest(self.shape, p, v, a, t))
@@ -145,6 +155,7 @@ class Segment(Obstacle):
     Balls on the cloth meet both of its sides, and its ends.
     p, q: its ends, (x, y) m; the table is on the left of the way from p to q.
     name: for events, or None.
+    law: its cushion law, if it is not the world's.
     shape: what the kernel knows it by.
     """
 
@@ -153,9 +164,11 @@ class Segment(Obstacle):
     p: Point
     q: Point
     name: str | None = None
+    law: Law = None
     shape: Shape = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
+        keep_law(self)
         for key in "pq":
             object.__setattr__(self, key, vector(f"Wall.segment {key}", getattr(self, key), 2))
         first, last = complex(*self.p), complex(*self.q)
@@ -191,6 +204,7 @@ class Arc(Obstacle):
     radius: m.
     start, end: degrees from the x axis; it goes from the one anticlockwise to the other.
     name: for events, or None.
+    law: its cushion law, if it is not the world's.
     shape: what the kernel knows it by.
     """
 
@@ -201,9 +215,11 @@ class Arc(Obstacle):
     start: float
     end: float
     name: str | None = None
+    law: Law = None
     shape: Shape = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
+        keep_law(self)
         object.__setattr__(self, "centre", vector("Wall.arc centre", self.centre, 2))
         keep(self, positive, "radius")
         keep(self, finite, "start", "end")
@@ -244,6 +260,12 @@ def rounded(
     parts = int(CHORDS * (end - start) / 360.0) + 1
     step = (end - start) / parts
     return tuple(centre + radius * direction(start + k * step) for k in range(parts + 1))
+
+
+def keep_law(thing: Obstacle) -> None:
+    """Its law by itself, also if it was named."""
+    if thing.own_law is not None:
+        object.__setattr__(thing, "law", cushion_law(thing.own_law))
 
 
 def _summit(height: Callable[[float], float], low: float, high: float) -> float:

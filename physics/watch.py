@@ -1,7 +1,7 @@
 """Custom laws are watched: what they must not do is refused, and the run undone."""
 
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from math import hypot, inf, isfinite
@@ -151,9 +151,10 @@ def _unlike(a: Body, b: Body, closing: float, side: float) -> float:
     return float(abs((level + upright) / far - closing) + other_spin)
 
 
-def watch(ball: Any, cushion: Any, *world: Any) -> None:
-    """Have the custom laws among these rules watched."""
-    for rule, kind in ((ball, BallWatch), (cushion, CushionWatch)):
+def watch(rules: Sequence[Any], *world: Any) -> None:
+    """Have the custom laws among these rules, of balls and then of cushions, watched, each once."""
+    kinds: dict[int, tuple[Any, Any]] = {id(rule): (rule, CushionWatch) for rule in rules[1:]}
+    for rule, kind in ((rules[0], BallWatch), *kinds.values()):
         if isinstance(rule, CustomRule):
             rule.function = kind(rule.function, rule.parting, *world)
 

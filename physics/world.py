@@ -14,7 +14,7 @@ from .engines.engine import Engine, an_engine
 from .engines.exact import EventDriven
 from .files.record import foresees
 from .framing import framed
-from .kernel.body import Rule, Scene, celled, no_grid, no_ties, twin_scene
+from .kernel.body import Scene, celled, no_grid, no_ties, twin_scene
 from .kernel.kinds import PHASES
 from .log import Log
 from .parting import part
@@ -68,8 +68,9 @@ class World:
         self.log = Log()
         self.log.watch(self._walls)
         self.scene = Scene(
-            [], [], [], self._clock.cloth, *self._rules(), no_ties(0), False, no_grid(0)
+            [], [], [], self._clock.cloth, None, None, no_ties(0), False, no_grid(0)
         )
+        self._renew_rules()
         # for the engine: when the next event is due, from the epoch on; when it planned; its budget
         self.due, self.planned, self.allowed = inf, 0.0, 0
 
@@ -87,6 +88,7 @@ class World:
             check_room(thing, self._walls)
             self._walls.append(thing)
             self.scene.walls.append(thing.shape)
+            self._renew_rules()
         else:
             raise ValueError(f"a world takes a Ball or a Wall, Post or Pocket, not {thing!r}")
         self._clock.moved = True
@@ -146,7 +148,8 @@ class World:
     @cloth.setter
     def cloth(self, cloth: Cloth) -> None:
         self._refuse_laws("cloth")
-        laws.on_cloth(self._cushion_law, a_cloth(cloth).slide)
+        for law in (self._cushion_law, *(wall.own_law for wall in self._walls if wall.own_law)):
+            laws.on_cloth(law, a_cloth(cloth).slide)
         self._cloth = cloth
         self._disturb()
         self._clock.cloth = replace(cloth.felt(), still=self._clock.cloth.still)
@@ -205,21 +208,18 @@ class World:
         self._disturb()
         self._renew_rules()
 
-    def _rules(self, before: Rule | None = None) -> tuple[object, object]:
-        vmin = self._engine.vmin
+    def _renew_rules(self) -> None:
+        vmin, slide, before = self._engine.vmin, self._cloth.slide, self.scene.cushion_rule
         ball = laws.ball_rule(self._ball_law, vmin)
-        law = laws.on_cloth(self._cushion_law, self._cloth.slide)
-        cushion = laws.cushion_rule(law, vmin, before)
-        self._watched = any(isinstance(rule, laws.CustomRule) for rule in (ball, cushion))
+        own = [wall.own_law for wall in self._walls]
+        cushion, *walls = laws.cushion_rules([self._cushion_law, *own], slide, vmin, before)
+        rules = ball, cushion, *walls
+        self._watched = any(isinstance(rule, laws.CustomRule) for rule in rules)
         if self._watched:
             from .watch import watch
 
-            watch(ball, cushion, self._balls, self._asking, self._warned)
-        return ball, cushion
-
-    def _renew_rules(self) -> None:
-        ball, cushion = self._rules(self.scene.cushion_rule)
-        self.scene = self.scene._replace(ball_rule=ball, cushion_rule=cushion)
+            watch(rules, self._balls, self._asking, self._warned)
+        self.scene = self.scene._replace(ball_rule=ball, cushion_rule=cushion, rules=walls)
 
     def _refuse_laws(self, call: str) -> None:
         """RuntimeError if a custom law, while it is asked, uses this."""

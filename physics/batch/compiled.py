@@ -284,5 +284,6 @@ def _packed(scene: Scene, body: Any) -> Any:
     )
     walls = records(scene.walls, Shape())
     meetings = np.array(scene.meetings, float)
+    own = records(list(scene.rules), Rule(0))
     first = rows(scene.balls), meetings, walls, felt, *rules, room
-    return body.Scene(*first, scene.celled, grid, scene.lines, np.array(scene.frame, int))
+    return body.Scene(*first, scene.celled, grid, scene.lines, own, np.array(scene.frame, int))

@@ -144,7 +144,7 @@ def start(ball: body.Body) -> tuple[float, ...]:
 
 def _choose(world: World, shots: int, compiled: bool | None) -> bool:
     """Whether to use the compiled kernel; a custom law cannot be compiled."""
-    rules = world.scene.ball_rule, world.scene.cushion_rule
+    rules = world.scene.ball_rule, world.scene.cushion_rule, *world.scene.rules
     custom = any(isinstance(rule, CustomRule) for rule in rules)
     if compiled and custom:
         raise ValueError("a custom law runs interpreted: not with compiled=True")

@@ -6,7 +6,7 @@ from typing import Any
 from physics.engines.engine import Movable
 from physics.kernel.body import Scene
 from physics.kernel.kinds import CUSHION, DROP, OFF, PAIR, REST, RESTING, ROLL
-from physics.kernel.laws import hit_ball, hit_wall
+from physics.kernel.laws import hit_ball, hit_wall, law_at
 from physics.kernel.leg import begin, carry, end, place
 from physics.kernel.obstacle import POCKET, clearance, facing
 from physics.kernel.tilt import between
@@ -126,7 +126,8 @@ def bounce(world: Movable, time: float, i: int, k: int) -> None:
     """Ball i hits wall k."""
     scene = world.scene
     ball = bring(world, time, i)
-    hit_wall(ball, facing(scene.walls[k], ball.position), scene.cushion_rule)
+    rule = law_at(k, scene.rules, scene.cushion_rule)
+    hit_wall(ball, facing(scene.walls[k], ball.position), rule)
     launch(ball, scene.cloth)
     mark(world, i)
     note(world, time, CUSHION, i, k)

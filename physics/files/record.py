@@ -84,6 +84,10 @@ def insist_on_names(world: Movable) -> None:
                 f"the {what} {getattr(thing, '__name__', thing)!r} is a custom one: only the"
                 " tables, laws and engines of this package can be saved"
             )
+    for wall in world.walls:
+        if wall.own_law is not None and not _ours(wall.own_law):
+            raise ValueError(f"the law of {wall!r} is a custom one: only laws of this package can"
+                             " be saved")  # fmt: skip
     for ball in world.balls:
         if not isinstance(ball.name, str):
             raise ValueError(f"ball {ball.name!r}: only names that are text can be saved")
@@ -130,9 +134,11 @@ def _table(table: Any) -> Data:
 def _wall(wall: Any) -> Data:
     """Its name, what it is if it is no line, and the numbers that make it."""
     kind = {} if wall.kind == "line" else {"kind": wall.kind}
-    made = {field.name: getattr(wall, field.name) for field in fields(wall) if field.init}
+    names = [field.name for field in fields(wall) if field.init and field.name != "law"]
+    made = {name: getattr(wall, name) for name in names}
     numbers = {key: _pair(z) if isinstance(z, complex) else z for key, z in made.items()}
-    return {"name": wall.name, **kind, **numbers}
+    law = {} if wall.own_law is None else {"law": _named(wall.own_law)}
+    return {"name": wall.name, **kind, **numbers, **law}
 
 
 def _ball(ball: Ball, paged: bool) -> Data:

@@ -192,10 +192,12 @@ def _obstacle(node: Node) -> Obstacle:
     kind = node["kind"].text() if "kind" in node.value else Wall.kind
     if kind not in OBSTACLES:
         raise ValueError(f"{node.where}.kind is {kind!r}; it must be one of {', '.join(OBSTACLES)}")
-    asked = [field for field in fields(OBSTACLES[kind]) if field.init and field.name != "name"]
-    numbers = {field.name: READS[field.type](node[field.name]) for field in asked}
-    made: Obstacle = OBSTACLES[kind](**numbers, name=name)
-    return made
+    asked = [field for field in fields(OBSTACLES[kind]) if field.init and field.type in READS]
+    made = {field.name: READS[field.type](node[field.name]) for field in asked}
+    if "law" in node.value:
+        made["law"] = _one_of((laws,), node["law"])
+    obstacle: Obstacle = OBSTACLES[kind](**made, name=name)
+    return obstacle
 
 
 def _table(node: Node) -> Any:

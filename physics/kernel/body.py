@@ -176,6 +176,7 @@ class Scene(NamedTuple):
     celled: bool  # is the grid used?
     grid: Grid
     lines: bool = True  # are all walls lines?
+    rules: Any = ()  # the law of every wall, if one of them has its own
     frame: Any = ()  # in which only long walls matter, see kernel/obstacle.py
 
 

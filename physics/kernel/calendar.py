@@ -22,7 +22,7 @@ from .kinds import (
     UNSOLVED,
 )
 from .lasting import FEW, NEVER, forget, lean, leans, meets_slowly, rests_on
-from .laws import hit_ball, hit_wall
+from .laws import hit_ball, hit_wall, law_at
 from .leg import begin, carry, end, reach
 from .motion import length
 from .obstacle import facing, holds, meet_any, meet_first, meet_first_aloft, meet_framed
@@ -41,7 +41,7 @@ def start_leg(i, scene):
     lasts = begin(ball, scene.cloth)
     ball.goal = MISSING
     if ball.phase == AIRBORNE:
-        lasts = meet_first_aloft(ball, scene.walls, scene.cushion_rule, lasts)
+        lasts = meet_first_aloft(ball, scene.walls, scene.rules, scene.cushion_rule, lasts)
     elif RESTING < ball.phase < OFF:
         if scene.lines:
             lasts = meet_first(ball, scene.walls, lasts)
@@ -160,7 +160,7 @@ def happen(i, scene):
     elif kind != CUSHION:
         end(ball, kind)
     elif ball.phase == AIRBORNE:
-        hit_nose(ball, scene.walls[goal], scene.cushion_rule)
+        hit_nose(ball, scene.walls[goal], law_at(goal, scene.rules, scene.cushion_rule))
     else:
         normal = facing(scene.walls[goal], ball.position)
         if instant or ball.hopped != NEVER or rests_on(ball, normal, cloth):
@@ -168,7 +168,7 @@ def happen(i, scene):
             if kind != CUSHION:
                 return kind, contacts
         else:
-            hit_wall(ball, normal, scene.cushion_rule)
+            hit_wall(ball, normal, law_at(goal, scene.rules, scene.cushion_rule))
     start_leg(i, scene)
     plan_meetings(i, scene)
     if kind == ROLL and ball.phase == RESTING:
@@ -179,7 +179,7 @@ def happen(i, scene):
 @whole
 def bounce(i, goal, normal, instant, time, scene):
     """Ball i hits a cushion, slowly or at once after something else; perhaps it stays there."""
-    ball, rule = scene.balls[i], scene.cushion_rule
+    ball, rule = scene.balls[i], law_at(goal, scene.rules, scene.cushion_rule)
     held = ball.trapped > PATIENCE
     slowly = rests_on(ball, normal, scene.cloth)
     if held or (slowly and ball.hopped != NEVER):

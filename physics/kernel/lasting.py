@@ -21,6 +21,7 @@ from .laws import (
     THESIS_BALL,
     ball_law,
     grip,
+    law_at,
     reduced,
     rigid_cushion,
 )
@@ -262,7 +263,9 @@ def aim_all(contacts, time, most, lasting, held, scene):
     lent, chosen = 0.0, 0
     for c in range(contacts):
         tie = ties.contacts[c]
-        rule = scene.ball_rule if tie.second > WALL else scene.cushion_rule
+        rule = scene.ball_rule
+        if tie.second <= WALL:
+            rule = law_at(WALL - tie.second, scene.rules, scene.cushion_rule)
         lift = aim(tie, time, most, lasting, least, held, balls, scene.walls, rule)
         lent = max(lent, lift)
         if tie.target > -inf:
@@ -281,17 +284,21 @@ def lean(i, j, time, held, scene):
     balls, ties, walls, cloth = scene.balls, scene.ties, scene.walls, scene.cloth
     members, contacts = gather_slow(i, j, time, held, balls, ties, walls, scene.grid, cloth.slide)
     most, lasting = pressure(contacts, time, balls, ties, walls, cloth)
-    first_rule = scene.ball_rule if j > WALL else scene.cushion_rule
+    first_rule, least = scene.ball_rule, scene.ball_rule.restitution
+    if j <= WALL:
+        first_rule = law_at(WALL - j, scene.rules, scene.cushion_rule)
     if held:
-        elastic = min(scene.ball_rule.restitution, scene.cushion_rule.restitution) >= 1.0
-        if members == 1 or elastic:
+        least = min(least, scene.cushion_rule.restitution)
+        for k in range(len(scene.rules)):
+            least = min(least, scene.rules[k].restitution)
+        if members == 1 or least >= 1.0:
             return members, 0
     elif not stays(ties.contacts[0], most, balls, first_rule):
         return members, 0
     for m in range(members):
         carry(balls[ties.member[m]], time, cloth)
     lent, chosen = aim_all(contacts, time, most, lasting, held, scene)
-    if not press_apart(chosen, balls, ties, scene.ball_rule, scene.cushion_rule):
+    if not press_apart(chosen, balls, ties, scene.ball_rule, scene.rules, scene.cushion_rule):
         return members, -1
     for m in range(members):
         ball = balls[ties.member[m]]
@@ -303,7 +310,7 @@ def lean(i, j, time, held, scene):
 
 
 @kernel
-def press_apart(chosen, balls, ties, ball_rule, cushion_rule):
+def press_apart(chosen, balls, ties, ball_rule, rules, cushion_rule):
     """Impulses that make the chosen contacts part as they should: pushes, what friction makes of
     them, and pushes once more against what that has closed."""
     for stage in range(3):
@@ -323,7 +330,8 @@ def press_apart(chosen, balls, ties, ball_rule, cushion_rule):
             if kind == PUSH:
                 tie.total += tie.size * tie.impulse.real
             elif tie.second <= WALL and tie.total > 0.0:
-                brush(balls[tie.first], tie.total, -tie.line, cushion_rule)
+                rule = law_at(WALL - tie.second, rules, cushion_rule)
+                brush(balls[tie.first], tie.total, -tie.line, rule)
     return True
 
 

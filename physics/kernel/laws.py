@@ -86,6 +86,12 @@ def cushion(v, roll, side, rule):
 
 
 @kernel
+def law_at(k, rules, common):
+    """The law of wall k: its own, where any has one."""
+    return rules[k] if len(rules) > 0 else common
+
+
+@kernel
 def grip(slip, rule):
     """The coefficient of friction between two balls."""
     if rule.kind == ALCIATORE_BALL:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from .contact import contact_time, rise_time
 from .kinds import CUSHION, DROP, LAND, LEAVE
+from .laws import law_at
 from .leg import first_fall, swept, travelled
 from .motion import length
 from .subset import complex, inf, kernel
@@ -295,11 +296,11 @@ def meet_outside(wall, p, v, a, reach, horizon):
 
 
 @kernel
-def meet_first_aloft(ball, walls, rule, lasts):
+def meet_first_aloft(ball, walls, rules, common, lasts):
     """In the air: which nose it hits, which cushion it passes over, or which pocket it comes down
     in."""
     for k in range(len(walls)):
-        wall = walls[k]
+        wall, rule = walls[k], law_at(k, rules, common)
         if wall.kind <= SEGMENT:
             wait, over = meet_nose(wall, ball, rule, lasts)
         else:

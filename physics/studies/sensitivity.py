@@ -270,7 +270,7 @@ class Replay:
             self.kernel.leg.end(balls[i], kind if kind == DROP else ROLL)
         elif kind == CUSHION:
             normal = self._facing(other, balls[i].position)
-            laws.hit_wall(balls[i], normal, scene.cushion_rule)
+            laws.hit_wall(balls[i], normal, self._law(other))
         elif len(pairs) == 1:
             laws.hit_ball(balls[i], balls[other], scene.ball_rule)
         else:
@@ -295,7 +295,7 @@ class Replay:
                 tie.target = self._target(tie, moment, most, lasts, target)
                 ties.chosen[chosen] = c
                 chosen += 1
-        rules = self.scene.ball_rule, self.scene.cushion_rule
+        rules = self.scene.ball_rule, self.scene.rules, self.scene.cushion_rule
         lasting.press_apart(chosen, balls, ties, *rules)
 
     def _count_hops(self, ball: Any, kind: int, lasting: bool) -> None:
@@ -307,13 +307,17 @@ class Replay:
 
     def _target(self, tie: Any, moment: Dual, most: Any, lasts: Any, target: float) -> Any:
         """What the contact was asked, with its slope: of the branch that gives the same value."""
-        rule = self.scene.ball_rule if tie.second > WALL else self.scene.cushion_rule
+        rule = self.scene.ball_rule if tie.second > WALL else self._law(WALL - tie.second)
         for held in (False, True):  # whether they rebounded shows in the value alone
             at = self.balls, self.scene.walls, rule
             self.kernel.lasting.aim(tie, moment, most, lasts, 0.0, held, *at)
             if value(tie.target) == target:
                 return tie.target
         return target
+
+    def _law(self, k: int) -> Any:
+        """Of wall k."""
+        return self.kernel.laws.law_at(k, self.scene.rules, self.scene.cushion_rule)
 
     def _facing(self, k: int, p: Any) -> Any:
         """The direction in which wall k pushes a ball at p."""

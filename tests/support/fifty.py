@@ -66,6 +66,7 @@ def scene(world: World) -> Any:
         balls=[record(ball) for ball in scene.balls], meetings=[mpmath.inf] * len(scene.meetings),
         walls=[record(wall) for wall in scene.walls], cloth=record(scene.cloth),
         ball_rule=record(scene.ball_rule), cushion_rule=record(scene.cushion_rule),
+        rules=[record(rule) for rule in scene.rules],
         ties=package.body.ties(len(scene.balls)), grid=package.body.no_grid(len(scene.balls)),
     )  # fmt: skip
     package.calendar.plan(mine)
