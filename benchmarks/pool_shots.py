@@ -60,9 +60,9 @@ def rack(gap: float = 1e-5) -> World:
     return world
 
 
-def midgame(balls: int = 6, seed: int = 1) -> World:
+def midgame(balls: int = 6, seed: int = 1, cushion: laws.CushionLaw | None = None) -> World:
     """Balls anywhere, the cue ball among them."""
-    dice, world = Random(seed), table()
+    dice, world = Random(seed), table(cushion)
     spots: list[complex] = []
     while len(spots) < balls:
         p = complex(dice.uniform(-1, 1) * (X - RADIUS), dice.uniform(-1, 1) * (Y - RADIUS))

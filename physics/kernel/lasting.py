@@ -41,6 +41,7 @@ SLOW = 4.4 * HOP  # times slide and radius: m²/s², of the highest hop and a li
 SPREAD = 2.0  # hops: gaps below that belong to the same contact
 LIGHTLY = 0.1  # of the least parting speed: what parts when nothing presses it any more
 FAR = 0.1  # radii: no gap above that does (cells are laid for it)
+ALIKE = 0.99  # the cosine of the angle between two walls below which they are one: 8°
 NEVER = -1.0  # when a ball met something slowly, if the last that it met it met quickly
 
 
@@ -97,6 +98,8 @@ def gather_slow(i, j, time, held, balls, ties, walls, grid, slide):
     members, contacts, m = 1, 1, 0
     if j > WALL:
         member[1], members = j, 2
+    else:
+        measure(ties.contacts[0], time, balls, walls)
     while m < members:
         a = member[m]
         here = place(balls[a], time - balls[a].since)
@@ -115,17 +118,27 @@ def gather_slow(i, j, time, held, balls, ties, walls, grid, slide):
                 if at == members:
                     member[members] = k
                     members += 1
-        for k in range(len(walls)):
-            if (m == 0 and j == WALL - k) or contacts == CONTACTS * len(balls):
-                continue
-            if not holds(walls[k], here, balls[a].radius, near * balls[a].radius):
-                continue
-            room(ties, contacts + 1)
-            join(a, WALL - k, ties.contacts[contacts])
-            if clings(ties.contacts[contacts], near, time, held, balls, walls, slide):
-                contacts += 1
+        known = WALL - j if m == 0 else -1
+        contacts = gather_walls(a, known, contacts, near, time, held, balls, ties, walls, slide)
         m += 1
     return members, contacts
+
+
+@kernel
+def gather_walls(a, known, contacts, near, time, held, balls, ties, walls, slide):
+    """The same for the walls that ball a leans on, but for the known one: how many contacts now."""
+    ball = balls[a]
+    here = place(ball, time - ball.since)
+    for k in range(len(walls)):
+        if k == known or contacts == CONTACTS * len(balls):
+            continue
+        if not holds(walls[k], here, ball.radius, near * ball.radius):
+            continue
+        room(ties, contacts + 1)
+        join(a, WALL - k, ties.contacts[contacts])
+        if clings(ties.contacts[contacts], near, time, held, balls, walls, slide):
+            contacts += not alike(contacts, ties)
+    return contacts
 
 
 @kernel
@@ -143,6 +156,18 @@ def clings(tie, near, time, held, balls, walls, slide):
         speed -= dot(tie.line, moving(b, time))
     longest = stretch(a)
     return speed * speed <= 4.0 * longest * longest * SLOW * slide * radius
+
+
+@kernel
+def alike(c, ties):
+    """Does another wall hold that contact's ball in nearly the same direction, as at a corner?"""
+    tie = ties.contacts[c]
+    for k in range(c):
+        before = ties.contacts[k]
+        same = before.first == tie.first and before.second <= WALL
+        if same and dot(tie.line, before.line) > ALIKE:
+            return True
+    return False
 
 
 @kernel
