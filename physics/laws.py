@@ -366,11 +366,8 @@ def on_cloth(law: CushionLaw, slide: float) -> CushionLaw:
 
 
 def cushion_rule(law: CushionLaw, parting: float, before: Rule | None = None) -> Rule:
-    """The law as the kernel wants it.
-
-    A custom law knows balls on the table only: in the air the default's coefficients hold, at the
-    nose that was there before.
-    """
+    """The law as the kernel wants it; a custom one has the default's coefficients in the air, at
+    the nose that was there before."""
     if isinstance(law, _CushionLaw):
         rule = law.rule()
     else:
@@ -386,10 +383,8 @@ def cushion_rules(
 ) -> list[Rule]:
     """The law of a world's cushions as the kernel wants it, and that of each wall, if one of them
     has its own: None has the world's."""
-    common, *own = (
-        None if law is None else cushion_rule(on_cloth(law, slide), parting, before)
-        for law in wanted
-    )
+    laws = [None if law is None else on_cloth(law, slide) for law in wanted]
+    common, *own = (None if law is None else cushion_rule(law, parting, before) for law in laws)
     assert common is not None
     return [common, *(rule or common for rule in own)] if any(own) else [common]
 

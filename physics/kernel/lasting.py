@@ -6,9 +6,8 @@ presses it would bring it back again from a hop lower than HOP. Then it parts ju
 hop that high, and all that hang together with it come down at the same time. The speed of a hop
 is lent: when it comes back with it, nothing rebounds.
 
-Nor does what is held: a light ball between a heavy one and a cushion hits both again and again in
-one instant, losing energy each time, until nothing closes any more.
-"""
+Nor does what is held: a light ball between a heavy one and a cushion hits both again and again,
+losing energy each time, until nothing closes."""
 
 from .body import CONTACTS
 from .cluster import NOISE, TOUCHING, join, pace, seat, touching
