@@ -99,10 +99,10 @@ class Event(NamedTuple):
     """One thing that happened.
 
     time: s; the same for all events of one instant.
-    kind: "roll", "rest", "cushion" or "ball", and for balls that fly "land" (on the cloth) and
-    "off" (over a cushion, for good).
+    kind: "roll", "rest", "cushion", "ball" or "pocket" (it goes down), and for balls that fly
+    "land" (on the cloth) and "off" (over a cushion, for good).
     balls: names.
-    wall: name, or None.
+    wall: name of the cushion or the pocket, or None.
     point: (x, y) of the contact (of the centre, where nothing touched), m.
     before, after: a State for each ball.
     closing: speed along the contact's normal before, m/s (along the table at a cushion, and between
@@ -131,7 +131,7 @@ class Event(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """What the rules of a game need of an event "cushion", "ball" or "off": no states.
+    """What the rules of a game need of an event "cushion", "ball", "pocket" or "off": no states.
 
     time, kind, balls, wall, away: as in Event.
     """
@@ -271,7 +271,8 @@ class Log(Sequence[Event]):
         return map(self._event, range(len(self)))
 
     def contacts(self) -> Iterator[Contact]:
-        """The hits, and balls that leave the table, in order; ten times as quick as the events."""
+        """The hits, and balls that go down or leave the table, in order; ten times as quick as the
+        events."""
         names, walls = self.names, self._walls
         for k, (epoch, time, number, other, i, _, j, _, _) in enumerate(self._events):
             kind = KINDS[number]

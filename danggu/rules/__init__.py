@@ -40,3 +40,9 @@ GAMES: dict[str, Callable[..., Rules]] = {
     "combined-pyramid": partial(Pyramid, COMBINED),
 }
 """Each game by its name, and what makes its rules: the usual ones, without arguments."""
+
+RACKS = {
+    **{game: game for game in ("8-ball", "9-ball", "10-ball", "14.1", "snooker")},
+    **dict.fromkeys(("free-pyramid", "dynamic-pyramid", "combined-pyramid"), "pyramid"),
+}
+"""What `physics.tables.Table.rack` racks for a game; the others have no rack."""

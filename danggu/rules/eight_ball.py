@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from . import pool
 from .pocketed import NUMBERS, Pocketed, without
-from .state import AS_IT_LIES, BREAK, HEAD, PLAY, GameState, Option, Question
+from .state import AS_IT_LIES, BREAK, KITCHEN, PLAY, GameState, Option, Question
 from .stroke import Stroke
 from .verdict import Turn, Verdict, facts
 
@@ -90,7 +90,7 @@ class EightBall(Pocketed):
             return self._eight_on_break(done, turn, foul, state)
         down, seen = pool.objects(done), facts(done)
         if not down and pool.driven(done) < pool.TO_BREAK:
-            asked = self._illegal(turn, replace(state, region=HEAD if done.lost else AS_IT_LIES))
+            asked = self._illegal(turn, replace(state, region=KITCHEN if done.lost else AS_IT_LIES))
             first = asked.options[0].state
             return Verdict(ILLEGAL_BREAK, foul=bool(foul), facts=seen, state=first, question=asked)
         if foul:
@@ -111,7 +111,7 @@ class EightBall(Pocketed):
 
     def _fouled(self, state: GameState, *, lost: bool) -> Question:
         """In hand behind the head string, or as the balls lie if the cue ball is still there."""
-        in_hand = replace(state, region=HEAD)
+        in_hand = replace(state, region=KITCHEN)
         accepted = in_hand if lost else state
         options = (Option(IN_HAND_HEAD, True, in_hand), Option(pool.ACCEPT, True, accepted))
         return Question(options, optional=True)
@@ -119,7 +119,7 @@ class EightBall(Pocketed):
     def _eight_on_break(self, done: Stroke, turn: Turn, foul: str, state: GameState) -> Verdict:
         """Neither a win nor a loss: the breaker or, after a foul, the opponent chooses between
         spotting the 8 and racking again."""
-        spotted = replace(state, left=(*state.left, EIGHT), region=HEAD if foul else AS_IT_LIES)
+        spotted = replace(state, left=(*state.left, EIGHT), region=KITCHEN if foul else AS_IT_LIES)
         first = SPOT_IN_HAND if foul else SPOT_AND_ACCEPT
         options = (
             Option(first, True, spotted, spot=(EIGHT,)),

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import ClassVar, TypeVar
 
-from .state import BREAK, HEAD, GameState
+from .state import BREAK, KITCHEN, GameState
 from .stroke import Logged, Stroke, stroke
 from .verdict import Turn, Verdict
 
@@ -28,7 +28,7 @@ class Pocketed:
     def start(self, players: int) -> GameState:
         """The break: all balls racked, the cue ball in hand behind the head string."""
         none = (0,) * players
-        return GameState(BREAK, self.objects, fouls=none, warned=(False,) * players, region=HEAD)
+        return GameState(BREAK, self.objects, fouls=none, warned=(False,) * players, region=KITCHEN)
 
     def needs(self, turn: Turn) -> int:
         return 0

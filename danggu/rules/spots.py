@@ -9,7 +9,7 @@ from .snooker import COLOURS, value
 
 Point = tuple[float, float]
 
-FOOT, CENTRE, HEAD = "foot_spot", "centre_spot", "head_spot"
+FOOT, CENTRE, HEAD = "foot", "centre", "head"  # spots of a `physics.tables.Table`
 
 
 def carom_spots(cue: str, other: str, red: str = "red") -> dict[str, str]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 BREAK, SECOND, PLAY = "break", "second", ""
-ANYWHERE, HEAD, D, HOUSE, AS_IT_LIES = "anywhere", "head_string", "d", "house", ""
+# regions: but for the last, those of a `physics.tables.Table`
+ANYWHERE, KITCHEN, D, HOUSE, AS_IT_LIES = "anywhere", "kitchen", "D", "house", ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,8 +20,8 @@ class GameState:
     free: whether a free ball may be nominated.
     fouls: consecutive fouls of each player.
     warned: whether each player has been warned that the next foul is the third.
-    region: where the cue ball may be placed: ANYWHERE, HEAD (behind the head string), D, HOUSE, or
-    AS_IT_LIES if it is not in hand.
+    region: where the cue ball may be placed: ANYWHERE, KITCHEN (behind the head string), D,
+    HOUSE, or AS_IT_LIES if it is not in hand.
     touching: pairs of balls that touch as the stroke begins.
     zone: how the object balls lie in balkline: "", "come_in", "in_there" or "astride".
     anchor: the same for the anchors.

@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 
 from . import pool
 from .pocketed import CUE, Pocketed, without
-from .state import AS_IT_LIES, BREAK, HEAD, PLAY, GameState, Option, Question
+from .spots import CENTRE, FOOT, HEAD
+from .state import AS_IT_LIES, BREAK, KITCHEN, PLAY, GameState, Option, Question
 from .stroke import Stroke
 from .verdict import Turn, Verdict, facts
 
@@ -78,7 +79,7 @@ class StraightPool(Pocketed):
         state = self._counted(turn, foul=True)
         seen, spot = facts(done), (*pool.objects(done), *(b for b in done.off if b != CUE))
         if state.fouls[turn.player] < 3:
-            region = HEAD if done.lost else AS_IT_LIES
+            region = KITCHEN if done.lost else AS_IT_LIES
             state = replace(state, phase=PLAY, region=region)
             return Verdict(foul, -1, foul=True, facts=seen, spot=spot, state=state)
         again = self.start(turn.players)
@@ -96,7 +97,7 @@ class StraightPool(Pocketed):
 
     def _breaking_foul(self, done: Stroke, turn: Turn) -> Verdict:
         """Two points are lost; it does not count as one of three fouls in a row (4.10, 4.11)."""
-        region = HEAD if done.lost else AS_IT_LIES
+        region = KITCHEN if done.lost else AS_IT_LIES
         accepted = replace(turn.state, phase=PLAY, region=region)
         again = replace(self.start(turn.players), fouls=turn.state.fouls, warned=turn.state.warned)
         asked = Question((
@@ -117,25 +118,24 @@ class StraightPool(Pocketed):
 
 # -- where the last ball and the cue ball go when fourteen are racked (4.8) ------------------------
 
-RACK, DOWN, HEAD_SPOT, KITCHEN, ELSEWHERE = "rack", "down", "head_spot", "kitchen", "elsewhere"
-FOOT, CENTRE, STAYS, IN_HAND = "foot_spot", "centre_spot", "as_is", "in_hand_head"
+RACK, DOWN, ELSEWHERE, STAYS = "rack", "down", "elsewhere", "as_is"
 
 
 def racked(last: str, cue: str) -> tuple[str, str]:
     """Where the last object ball and the cue ball go before fourteen balls are racked.
 
-    last, cue: where they lie: RACK (in the way of the rack), HEAD_SPOT (in the way of that spot),
+    last, cue: where they lie: RACK (in the way of the rack), HEAD (in the way of that spot),
     KITCHEN (behind the head string) or ELSEWHERE; for the last ball also DOWN.
     ValueError for any other place.
     """
     for name, place in (("last", last), ("cue", cue)):
-        if place not in (RACK, HEAD_SPOT, KITCHEN, ELSEWHERE) and (name, place) != ("last", DOWN):
+        if place not in (RACK, HEAD, KITCHEN, ELSEWHERE) and (name, place) != ("last", DOWN):
             raise ValueError(f"no such place of the {name} ball: {place!r:.60}")
     both = cue == RACK
     if last == DOWN or (last == RACK and both):
-        return FOOT, IN_HAND if both else STAYS
+        return FOOT, KITCHEN if both else STAYS
     if last == RACK:
-        return CENTRE if cue == HEAD_SPOT else HEAD_SPOT, STAYS
+        return CENTRE if cue == HEAD else HEAD, STAYS
     if not both:
         return STAYS, STAYS
-    return STAYS, {HEAD_SPOT: CENTRE, KITCHEN: HEAD_SPOT}.get(last, IN_HAND)
+    return STAYS, {HEAD: CENTRE, KITCHEN: HEAD}.get(last, KITCHEN)

@@ -40,7 +40,7 @@ def carom(x: float, y: float, radius: float) -> Markings:
     """Half of a table's length and width, and its balls' radius, m, as for the other kinds."""
     spots = {"head": (-0.5 * x, 0.0), "centre": (0.0, 0.0), "foot": (0.5 * x, 0.0)}
     spots |= {"left": (-0.5 * x, BESIDE), "right": (-0.5 * x, -BESIDE)}
-    return Markings(spots, -0.5 * x, {"bed": _bed(x, y, radius)}, ())
+    return Markings(spots, -0.5 * x, {"anywhere": _bed(x, y, radius)}, ())
 
 
 def pool(x: float, y: float, radius: float) -> Markings:
@@ -48,7 +48,7 @@ def pool(x: float, y: float, radius: float) -> Markings:
     line = -0.5 * x
     spots = {"head": (line, 0.0), "centre": (0.0, 0.0), "foot": (0.5 * x, 0.0)}
     regions: dict[str, Region] = {
-        "bed": _bed(x, y, radius), "kitchen": _bed(x, y, radius, line)
+        "anywhere": _bed(x, y, radius), "kitchen": _bed(x, y, radius, line)
     }  # fmt: skip
     return Markings(spots, line, regions, ("8-ball", "9-ball", "10-ball", "14.1"))
 
@@ -62,17 +62,18 @@ def snooker(x: float, y: float, radius: float) -> Markings:
     }  # fmt: skip
     baulk = Box(radius - x, line, radius - y, y - radius)
     regions: dict[str, Region] = {
-        "bed": _bed(x, y, radius), "baulk": baulk, "D": HalfDisc((line, 0.0), D)
+        "anywhere": _bed(x, y, radius), "baulk": baulk, "D": HalfDisc((line, 0.0), D)
     }  # fmt: skip
     return Markings(spots, line, regions, ("snooker",))
 
 
 def pyramid(x: float, y: float, radius: float) -> Markings:
-    """The house is behind the line through the front spot."""
+    """The house is behind the line through the front spot, which is called the head spot here as on
+    other tables, and the back spot the foot spot."""
     line = -0.5 * x
-    spots = {"front": (line, 0.0), "centre": (0.0, 0.0), "back": (0.5 * x, 0.0)}
+    spots = {"head": (line, 0.0), "centre": (0.0, 0.0), "foot": (0.5 * x, 0.0)}
     regions: dict[str, Region] = {
-        "bed": _bed(x, y, radius), "house": Box(radius - x, line, radius - y, y - radius)
+        "anywhere": _bed(x, y, radius), "house": Box(radius - x, line, radius - y, y - radius)
     }  # fmt: skip
     return Markings(spots, line, regions, ("pyramid",))
 

@@ -56,7 +56,7 @@ RACKS = {
     "10-ball": Rack(SMALL, "foot", (1, 2, 3, 4, 10, 5, 6, 7, 8, 9), frozenset({0, 4})),
     "14.1": Rack(TRIANGLE, "foot", tuple(range(1, 16)), frozenset()),
     "snooker": Rack(TRIANGLE, "pink", tuple(range(1, 16)), ALL),
-    "pyramid": Rack(TRIANGLE, "back", (4, 5, 6, 7, 15, 8, 9, 14, 13, 10, 2, 1, 12, 11, 3), ALL),
+    "pyramid": Rack(TRIANGLE, "foot", (4, 5, 6, 7, 15, 8, 9, 14, 13, 10, 2, 1, 12, 11, 3), ALL),
 }  # fmt: skip
 
 

@@ -88,7 +88,7 @@ class Table:
 
     @property
     def spots(self) -> "dict[str, Point]":
-        """(x, y) in m by name: "foot", or snooker's "pink", or a pyramid's "back" and the like."""
+        """(x, y) in m by name: "foot" and the like, or snooker's "pink"."""
         return self._marked().spots
 
     @property
@@ -100,7 +100,7 @@ class Table:
     def regions(self) -> "dict[str, Region]":
         """Where the centre of a ball in hand may be, by name, with `contains((x, y))`.
 
-        "bed" is all of the table; "kitchen", "baulk", "D" or "house" a part of it.
+        "anywhere" is all of the table; "kitchen", "baulk", "D" or "house" a part of it.
         """
         return self._marked().regions
 
@@ -139,7 +139,7 @@ class Table:
         places = {name: (x + at.real, y + at.imag) for name, at in balls}
         if kind == "snooker":
             places |= marked.spots
-        insist_on_room(places, marked.regions["bed"], self.radius)
+        insist_on_room(places, marked.regions["anywhere"], self.radius)
         return [Ball(name, at, radius=self.radius, mass=self.mass) for name, at in places.items()]
 
     def world(self) -> World:

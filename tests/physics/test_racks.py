@@ -66,7 +66,7 @@ def test_neighbours_of_a_loose_rack_are_as_far_apart_as_was_said(table, kind):
 @EACH
 def test_the_apex_is_on_its_spot_and_the_rack_behind_it(table, kind):
     balls = lattice(table, kind)
-    spot = {"snooker": "pink", "pyramid": "back"}.get(kind, "foot")
+    spot = "pink" if kind == "snooker" else "foot"
     x, y = table.spots[spot]
     (apex, across), rest = balls[0].position, [ball.position[0] for ball in balls[1:]]
     assert across == y == 0.0

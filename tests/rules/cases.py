@@ -47,7 +47,7 @@ PLACES = {
     "pocketed": straight.DOWN,
     "in rack": straight.RACK,
     "in the rack": straight.RACK,
-    "head spot": straight.HEAD_SPOT,
+    "head spot": straight.HEAD,
     "not behind head string": straight.ELSEWHERE,
     "behind head string": straight.KITCHEN,
     "elsewhere": straight.ELSEWHERE,
@@ -55,9 +55,9 @@ PLACES = {
 SPOTS = {
     straight.FOOT: "foot spot",
     straight.CENTRE: "centre spot",
-    straight.HEAD_SPOT: "head spot",
+    straight.HEAD: "head spot",
     straight.STAYS: "as is",
-    straight.IN_HAND: "in hand behind head string",
+    straight.KITCHEN: "in hand behind head string",
 }
 WORSE = "counts as in the same zone: the case that is worse for the player"
 
@@ -194,9 +194,8 @@ def spotting(case: Case) -> dict[str, Any]:
     cue = said.get("cue", "white")
     other = "yellow" if cue == "white" else "white"
     spots = carom_spots(cue, other)
-    covered = {
-        spot: said[spot].removeprefix("covered by ") for spot in spots.values() if spot in said
-    }
+    said_of = {spot: said.get(f"{spot}_spot") for spot in spots.values()}
+    covered = {spot: by.removeprefix("covered by ") for spot, by in said_of.items() if by}
     balls = said.get("off") or (said["touching"] if said.get("choice") == RESPOT else [])
     place = respotted(balls, spots, covered)
     return {

@@ -9,11 +9,11 @@ from danggu.rules import GAMES, balkline, snooker
 from danggu.rules.carom import Carom
 from danggu.rules.eight_ball import GROUPS
 from danggu.rules.match import Match, Player, Sheet
-from danggu.rules.state import ANYWHERE, AS_IT_LIES, HEAD, PLAY, SECOND, Call, D
+from danggu.rules.state import ANYWHERE, AS_IT_LIES, KITCHEN, PLAY, SECOND, Call, D
 from danggu.rules.stroke import Act, Rest, Stroke, Zone
 from danggu.rules.verdict import Rules
 
-REGIONS = {"anywhere": ANYWHERE, "behind head string": HEAD, "D": D, "none": AS_IT_LIES}
+REGIONS = {"anywhere": ANYWHERE, "behind head string": KITCHEN, "D": D, "none": AS_IT_LIES}
 ALIASES = {
     "4-ball": "four-ball",
     "sagu": "four-ball",

@@ -84,11 +84,11 @@ def test_of_two_colours_the_higher_is_spotted_first():
 
 def test_in_three_cushion_a_covered_spot_sends_a_ball_to_that_of_the_ball_on_it():
     spots = carom_spots("white", "yellow")
-    assert respotted(["red"], spots, {"foot_spot": "yellow"}) == {"red": "centre_spot"}
-    assert respotted(["red"], spots, {"foot_spot": "yellow", "centre_spot": "white"}) == {
-        "red": "head_spot"
+    assert respotted(["red"], spots, {"foot": "yellow"}) == {"red": "centre"}
+    assert respotted(["red"], spots, {"foot": "yellow", "centre": "white"}) == {
+        "red": "head"
     }
-    assert respotted(["red", "white"], spots, {}) == {"red": "foot_spot", "white": "head_spot"}
+    assert respotted(["red", "white"], spots, {}) == {"red": "foot", "white": "head"}
 
 
 def test_a_ball_is_spotted_as_near_to_the_start_of_its_line_as_others_let_it():

@@ -11,7 +11,7 @@ from danggu.rules.nine_ball import NineBall
 from danggu.rules.pyramid import COMBINED, DYNAMIC, FREE, GIFT, TAKE, Pyramid
 from danggu.rules.race import LOSER, WINNER, Race
 from danggu.rules.snooker import Snooker, remaining
-from danggu.rules.state import ANYWHERE, BREAK, HEAD, HOUSE, Call, D
+from danggu.rules.state import ANYWHERE, BREAK, HOUSE, KITCHEN, Call, D
 from danggu.rules.straight_pool import StraightPool
 from danggu.rules.stroke import Rest
 from danggu.rules.ten_ball import TenBall
@@ -43,7 +43,7 @@ def test_after_an_illegal_break_the_opponent_may_have_the_offender_break_again()
     match = play(two(EightBall()), "cue>1 1| 4|")
     assert (match.at, keys(match)) == (1, ["accept", "rerack", "rerack_offender"])
     again = match.answered("rerack_offender")
-    assert (again.at, again.state.phase, again.state.region) == (0, BREAK, HEAD)
+    assert (again.at, again.state.phase, again.state.region) == (0, BREAK, KITCHEN)
     assert match.answered("rerack").at == 1
     accepted = match.answered("accept")
     assert (accepted.at, accepted.state.phase, accepted.state.region) == (1, "", "")
@@ -59,8 +59,8 @@ def test_the_breaker_who_pockets_the_8_chooses_and_goes_on_with_it_spotted():
 
 def test_after_a_scratch_on_the_break_the_cue_ball_is_behind_the_head_string():
     match = play(two(EightBall()), "cue>1 3^SW cue^NE")
-    assert (match.at, match.state.region) == (1, HEAD)
-    assert match.answered("accept").state.region == HEAD
+    assert (match.at, match.state.region) == (1, KITCHEN)
+    assert match.answered("accept").state.region == KITCHEN
     # the first option holds without an answer
     assert play(match, "cue>12 12|").at == 0
 
@@ -170,7 +170,7 @@ def test_three_fouls_cost_sixteen_more_than_two_and_the_offender_breaks():
         match = play(play(match, "cue|"), "cue>5 5|")
     match = play(match, "cue|")
     assert (match.at, match.sheet.score) == (1, -18)
-    assert (match.state.phase, match.state.fouls[1], match.state.region) == (BREAK, 0, HEAD)
+    assert (match.state.phase, match.state.fouls[1], match.state.region) == (BREAK, 0, KITCHEN)
 
 
 def test_the_points_that_reach_the_target_win():
