@@ -13,6 +13,7 @@ from physics import Shot, World, simulate
 
 from .candidates import CUSHIONS, DIRECT, aims
 from .levels import Attempt, Level
+from .plan import Plan
 
 EFFORT = 4000  # aims tried at most before it plays the best it has
 ENOUGH = 60  # scoring aims after which it stops looking and starts comparing
@@ -121,6 +122,16 @@ class Opponent:
         self.intent = Intent(next(self._aims))
         self._work = self._search()
 
+    @property
+    def plan(self) -> Plan:
+        """What it means to do, as `plan.Mind` has it."""
+        return Plan(self.intent.shot)
+
+    @property
+    def share(self) -> float | None:
+        """The part of its strokes like this one that would score; None while unknown."""
+        return self.intent.share if self.intent.copies else None
+
     def think(self, budget: float, clock: Callable[[], float] = perf_counter) -> bool:
         """Work for `budget` s, and one simulation at least; whether there is nothing left to do."""
         end = clock() + budget
@@ -133,6 +144,10 @@ class Opponent:
     def execute(self, rng: Random) -> Shot:
         """The intended stroke with the level's error drawn from `rng`."""
         return self.level.missed(self.intent.aim, rng, self._radius).shot()
+
+    def played(self, rng: Random) -> Plan:
+        """The plan with the level's error drawn from `rng`."""
+        return Plan(self.execute(rng))
 
     def _search(self) -> Work:
         """Everything there is to do; stops after each simulation."""

@@ -1,0 +1,64 @@
+"""What an opponent is asked for: where it places the ball, what it declares, how it strikes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from random import Random
+from time import perf_counter
+from typing import Protocol
+
+from danggu.rules.match import Match
+from danggu.rules.state import NO_CALL, Call
+from physics import Shot, World
+
+from .levels import Level
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """A turn as an opponent wants it played.
+
+    shot: the stroke.
+    call: what it declares before; `call.cue` is the ball that it plays where any may be.
+    place: where it puts the cue ball in hand first, (x, y) in m; None to leave it where it lies.
+    """
+
+    shot: Shot
+    call: Call = NO_CALL
+    place: Point | None = None
+
+
+class Mind(Protocol):
+    """Something that thinks about the coming stroke, a little at a time."""
+
+    @property
+    def done(self) -> bool:
+        """Is there nothing left to think about?"""
+        ...
+
+    @property
+    def plan(self) -> Plan:
+        """The best so far, as it is meant; there is one from the beginning."""
+        ...
+
+    @property
+    def share(self) -> float | None:
+        """How many of its strokes like this one would succeed, 0 to 1; None while unknown."""
+        ...
+
+    def think(self, budget: float, clock: Callable[[], float] = perf_counter) -> bool:
+        """Work for about `budget` s; whether it is done. The plan depends on no budget."""
+        ...
+
+    def played(self, rng: Random) -> Plan:
+        """The plan with the level's error in its stroke, drawn from `rng`."""
+        ...
+
+
+Maker = Callable[[World, Match, Level, int, int], Mind]
+"""Makes a mind of the table as it lies, the match, a level, a seed and the aims it may try."""
+Answers = Callable[[World, Match, Level, int], str]
+"""Answers `match.asked` with the key of one of its options."""
