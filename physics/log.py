@@ -2,36 +2,27 @@
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from math import fsum, inf, sqrt
-from typing import Any, NamedTuple, overload
+from math import fsum, sqrt
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 from .away import Departures
 from .checks import finite
+from .event import Contact, Event, State, States
 from .kernel.body import Body
 from .kernel.impulses import WALL
-from .kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR
+from .kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, PHASE_NAMES
 from .kernel.leg import moved, place, risen
 from .kernel.motion import length
 from .wall import Obstacle
 
-Vector = tuple[float, float]
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
+    from .moments import Motion
 
-class State(NamedTuple):
-    """A ball at a moment.
+__all__ = ["Contact", "Event", "Leg", "Log", "State"]
 
-    position: (x, y), m.
-    velocity: (vx, vy), m/s.
-    spin: (wx, wy, wz), rad/s.
-    height: above the cloth, m.
-    climb: velocity upward, m/s.
-    """
-
-    position: Vector
-    velocity: Vector
-    spin: tuple[float, float, float]
-    height: float = 0.0
-    climb: float = 0.0
+EVENTS = tuple(kind.name for kind in KINDS)
 
 
 class Leg(NamedTuple):
@@ -86,61 +77,14 @@ class Leg(NamedTuple):
         """Where it begins and how."""
         p, v, w, r = self.position, self.velocity, self.roll / self.radius, self.radius
         spin = 0.0 - w.imag, 0.0 + w.real, 0.0 + self.side / r  # no zero shows a sign
-        return State((p.real, p.imag), (v.real, v.imag), spin, max(0.0, self.height), self.climb)
+        height, phase = max(0.0, self.height), PHASE_NAMES[self.phase]
+        return State((p.real, p.imag), (v.real, v.imag), spin, height, self.climb, phase)
 
     def energy(self, mass: float) -> float:
         """Kinetic energy of moving and turning, and what gravity has stored, J."""
         v, w, side = length(self.velocity), length(self.roll), self.side
         lift = 0.5 * self.climb * self.climb + self.fall * self.height
         return float(mass * (0.5 * v * v + lift + 0.2 * (w * w + side * side)))
-
-
-class Event(NamedTuple):
-    """One thing that happened.
-
-    time: s; the same for all events of one instant.
-    kind: "roll", "rest", "cushion", "ball" or "pocket" (it goes down), and for balls that fly
-    "land" (on the cloth) and "off" (over a cushion, for good).
-    balls: names.
-    wall: name of the cushion or the pocket, or None.
-    point: (x, y) of the contact (of the centre, where nothing touched), m.
-    before, after: a State for each ball.
-    closing: speed along the contact's normal before, m/s (along the table at a cushion, and between
-    balls on the cloth).
-    energy_lost: J; in a cluster of contacts their common loss, shared by impulse.
-    impulse: m |Δv| of the first ball, N s: push and rub together, less what is vertical, which the
-    cloth takes up while a ball stays on it. In a cluster it is the push.
-    push: the part of the impulse along the contact's normal (at a cushion and between balls on the
-    cloth, the level one), N s.
-    away: at a cushion, the greatest gap between it and the ball since they last touched, or since
-    the log began, m; inf for other events. (docs/physics.md, "What an event says".)
-    """
-
-    time: float
-    kind: str
-    balls: tuple[str, ...]
-    wall: str | None
-    point: Vector
-    before: tuple[State, ...]
-    after: tuple[State, ...]
-    closing: float
-    impulse: float
-    energy_lost: float
-    push: float = 0.0
-    away: float = inf
-
-
-class Contact(NamedTuple):
-    """What the rules of a game need of an event "cushion", "ball", "pocket" or "off": no states.
-
-    time, kind, balls, wall, away: as in Event.
-    """
-
-    time: float
-    kind: str
-    balls: tuple[str, ...]
-    wall: str | None
-    away: float = inf
 
 
 class Log(Sequence[Event]):
@@ -299,15 +243,55 @@ class Log(Sequence[Event]):
         """The legs of a ball, in their order."""
         return [Leg(*leg) for leg in self._legs[self.names.index(name)]]
 
-    def at(self, time: float) -> dict[str, State]:
-        """Every ball as it was at `time`, seconds; before the log began, as it began."""
-        time = finite("Log.at time", time)
+    @overload
+    def at(self, time: float) -> dict[str, State]: ...
+    @overload
+    def at(self, time: "npt.ArrayLike") -> "dict[str, Motion]": ...
+    def at(self, time: "float | npt.ArrayLike") -> "dict[str, State] | dict[str, Motion]":
+        """Every ball as it was at `time`, seconds; before the log began, as it began.
+
+        At an array of times (T,), in any order, a Motion for each ball: the same in arrays.
+        """
+        if getattr(time, "ndim", 0) or (isinstance(time, Sequence) and not isinstance(time, str)):
+            from .moments import moments, motion
+
+            times = moments("Log.at time", time)
+            return {name: motion(self._known(i), times) for i, name in enumerate(self.names)}
+        time = finite("Log.at time", time)  # type: ignore[arg-type]
         return {name: self._leg(i, time).state() for i, name in enumerate(self.names)}
 
-    def _leg(self, i: int, time: float) -> Leg:
-        legs = self._legs[i]
-        if not legs:
+    def first(self, kind: str, *names: str) -> Event | None:
+        """The first event of that kind in which all these balls and walls are, or None.
+
+        ValueError for a kind, a ball or a wall of which the log has never heard.
+        """
+        return next(self._all(kind, names), None)
+
+    def all(self, kind: str, *names: str) -> list[Event]:
+        """All such events, in their order."""
+        return [*self._all(kind, names)]
+
+    def _all(self, kind: str, names: tuple[str, ...]) -> Iterator[Event]:
+        walls = [wall.name for wall in self._walls]
+        if kind not in EVENTS:
+            raise ValueError(f"no event {kind!r}: there are {', '.join(EVENTS)}")
+        for name in names:
+            if name not in self.names and name not in walls:
+                raise ValueError(f"there is no ball or wall {name!r} in this log")
+        wanted = {*names}
+        for k, (_, _, number, other, i, _, j, _, _) in enumerate(self._events):
+            if KINDS[number].name == kind:
+                wall = walls[other] if KINDS[number].other == "wall" else None
+                if wanted <= {self.names[i], self.names[j], wall}:
+                    yield self._event(k)
+
+    def _known(self, i: int) -> list[tuple[Any, ...]]:
+        if not self._legs[i]:
             raise ValueError(f"nothing is known of ball {self.names[i]!r} before the world runs")
+        return self._legs[i]
+
+    def _leg(self, i: int, time: float) -> Leg:
+        legs = self._known(i)
         k = bisect_right(legs, time, key=lambda leg: leg[0] + leg[1]) - 1
         leg = Leg(*legs[max(k, 0)])
         return leg.after(max(0.0, time - leg.epoch - leg.since))
@@ -360,7 +344,8 @@ class Log(Sequence[Event]):
             )
         return Event(
             epoch + time, kind.name, names, wall and wall.name, (point.real, point.imag),
-            tuple(turn[0].state() for turn in turns), tuple(turn[1].state() for turn in turns),
+            States(names, (turn[0].state() for turn in turns)),
+            States(names, (turn[1].state() for turn in turns)),
             closing, impulse, lost, push, self._away(index),
         )  # fmt: skip
 

@@ -6,14 +6,12 @@ from collections.abc import Iterator
 from math import dist
 from typing import NamedTuple
 
-from danggu.rules.state import ANYWHERE, HEAD, HOUSE, D
+from danggu.rules.state import ANYWHERE, HOUSE, KITCHEN, D
 from physics import World
 
 Point = tuple[float, float]
 
-REGIONS = {ANYWHERE: "bed", HEAD: "kitchen", D: "D", HOUSE: "house"}
-"""The region of a table that a state of the rules means."""
-SPOTS = {ANYWHERE: "head", HEAD: "head", D: "brown", HOUSE: "front"}
+SPOTS = {ANYWHERE: "head", KITCHEN: "head", D: "brown", HOUSE: "front"}
 ASIDE = 0.15  # m: from the middle of the D, where the brown may lie
 GRID = 0.02  # m: between the places that are tried
 GAP = 1e-6  # m: kept free between balls, more than rounding
@@ -33,7 +31,7 @@ class Hindrance(NamedTuple):
 def hindrance(world: World, name: str, at: Point, region: str) -> Hindrance | None:
     """What forbids a ball to be placed there (m); None if it may be. `region` as in the rules."""
     table = world.table
-    if not table.regions[REGIONS[region]].contains(at):
+    if not table.regions[region].contains(at):
         return Hindrance("region")
     own = world.ball(name)
     for ball in world.balls:

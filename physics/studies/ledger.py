@@ -12,9 +12,10 @@ from math import fsum, sqrt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from physics.event import Event, State, States
 from physics.kernel.kinds import AIRBORNE, ROLLING, SLIDING
 from physics.kernel.motion import faded, length
-from physics.log import Event, Leg, Log, State
+from physics.log import Leg, Log
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -171,10 +172,9 @@ class _Book:
         before = self.legs[i][k - 1]
         then = before.after(max(0.0, leg.time - before.time))
         self.at[i] = k
-        event = Event(
-            leg.time, "hand", (self.log.names[i],), None, leg.state().position, (then.state(),),
-            (leg.state(),), 0.0, 0.0, then.energy(mass) - leg.energy(mass),
-        )  # fmt: skip
+        name, lost = (self.log.names[i],), then.energy(mass) - leg.energy(mass)
+        was, now = States(name, [then.state()]), States(name, [leg.state()])
+        event = Event(leg.time, "hand", name, None, now[0].position, was, now, 0.0, 0.0, lost)
         return _entry(event, cloth, self.energy())
 
 

@@ -3,59 +3,56 @@
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
-from physics.ball import Ball
 from physics.checks import positive
-from physics.kernel.leg import travelled
-from physics.world import World
+from physics.engines.engine import Movable
+from physics.moments import Course, moments
 
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
+    Array = npt.NDArray[np.float64]
+
 
 def trace(
-    world: World, rate: float = 60.0
-) -> "tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]":
-    """times (T,) s and paths (T, balls, 2) m over the whole log, `rate` samples a second.
+    world: Movable, rate: float = 60.0, times: "npt.ArrayLike | None" = None
+) -> "tuple[Array, Array]":
+    """times (T,) s and paths (T, balls, 2) m over the whole log, `rate` samples a second; or at
+    these `times`, s, in any order.
 
-    Exact at every sample. The last sample is the first at or after now: at rest, where the balls
-    lie.
+    Exact at every sample. By rate, the last sample is the first at or after now: at rest, where the
+    balls lie. Before the log began the balls lie as it began.
     """
     import numpy as np
 
-    times = _times(world, rate, np)
-    paths = np.empty((len(times), len(world.balls), 2))
-    for i, ball in enumerate(world.balls):
-        t, (p, v, a) = _legs(world, ball, times, ("position", "velocity", "acceleration"), np)
-        place = travelled(p, v, a, t)
+    found = _times(world, rate, times, np)
+    paths = np.empty((len(found), len(world.balls), 2))
+    for i, course in enumerate(_courses(world, found)):
+        place = course.place()
         paths[:, i, 0], paths[:, i, 1] = place.real, place.imag
-    return times, paths
+    return found, paths
 
 
-def heights(world: World, rate: float = 60.0) -> "npt.NDArray[np.float64]":
+def heights(world: Movable, rate: float = 60.0, times: "npt.ArrayLike | None" = None) -> "Array":
     """heights (T, balls) m above the cloth, at the times of `trace`; 0 once a ball is off."""
     import numpy as np
 
-    times = _times(world, rate, np)
-    high = np.empty((len(times), len(world.balls)))
-    for i, ball in enumerate(world.balls):
-        t, (h, climb, fall) = _legs(world, ball, times, ("height", "climb", "fall"), np)
-        high[:, i] = travelled(h, climb, -fall, t)
+    found = _times(world, rate, times, np)
+    high = np.empty((len(found), len(world.balls)))
+    for i, course in enumerate(_courses(world, found)):
+        high[:, i] = course.height()
     return np.maximum(high, 0.0)
 
 
-def _times(world: World, rate: float, np: Any) -> Any:
-    """From the log's start to now, or a little later."""
-    rate = positive("trace rate", rate)
+def _times(world: Movable, rate: float, times: Any, np: Any) -> Any:
+    """Those given, or from the log's start to now, or a little later."""
     world.plan()  # a ball that was just placed is on a leg, too
+    if times is not None:
+        return moments("trace times", times)
+    rate = positive("trace rate", rate)
     samples = ceil((world.time - world.log.start) * rate) + 1
     return world.log.start + np.arange(samples) / rate
 
 
-def _legs(world: World, ball: Ball, times: Any, what: tuple[str, ...], np: Any) -> Any:
-    """How far into its leg the ball is at those times, and these numbers of the leg."""
-    legs = world.log.legs(ball.name)
-    begins = np.array([leg.time for leg in legs])
-    k = np.maximum(np.searchsorted(begins, times, side="right") - 1, 0)
-    numbers = [np.array([getattr(leg, name) for leg in legs])[k] for name in what]
-    return np.maximum(times - begins[k], 0.0), numbers
+def _courses(world: Movable, times: Any) -> list[Course]:
+    return [Course(world.log.legs(ball.name), times) for ball in world.balls]

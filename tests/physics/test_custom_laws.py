@@ -41,7 +41,7 @@ def everything(world):
     bodies = [ball.body for ball in world.balls]
     clock = world.clock.epoch, world.clock.now, world.clock.disturbed, world.clock.moved
     scene = world.scene._replace(ties=None, grid=None)  # of which a run makes notes
-    return repr((bodies, scene, clock, world.due, list(world.log), world.log.mark()))
+    return repr((bodies, scene, clock, world.due, [*map(tuple, world.log)], world.log.mark()))
 
 
 def test_the_example_of_the_documentation_works():

@@ -9,7 +9,7 @@ from danggu.players.levels import EXPERT, PERFECT
 from danggu.players.minds import POCKETS, answer, mind
 from danggu.rules import GAMES
 from danggu.rules.match import Match, Player
-from danggu.rules.state import ANYWHERE, HEAD, Option, Question
+from danggu.rules.state import ANYWHERE, KITCHEN, Option, Question
 from danggu.rules.verdict import Verdict
 from physics import Ball, World, simulate, tables
 
@@ -70,11 +70,11 @@ def test_a_question_is_answered_with_one_of_its_options():
 
 
 def test_a_ball_in_hand_is_placed_in_its_region_and_beside_what_lies_there():
-    world, match = racked("8-ball")
+    world, _ = racked("8-ball")
     x, y = world.table.spots["head"]
     assert usual(world, "cue", ANYWHERE) == (x, y)
     world.ball("1").position = (x, y)
     assert hindrance(world, "cue", (x, y), ANYWHERE).ball == "1"
-    found = usual(world, "cue", HEAD)
-    assert hindrance(world, "cue", found, HEAD) is None
-    assert hindrance(world, "cue", (0.1, 0.0), HEAD).why == "region"
+    found = usual(world, "cue", KITCHEN)
+    assert hindrance(world, "cue", found, KITCHEN) is None
+    assert hindrance(world, "cue", (0.1, 0.0), KITCHEN).why == "region"
