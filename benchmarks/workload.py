@@ -104,8 +104,8 @@ class Batch:
     def __init__(self, world: World, shots: int) -> None:
         import numpy as np
 
-        from physics.batch.compiled import kernel, packed
-        from physics.batch.many import start
+        from physics.batch.compiled import kernel, notes, packed
+        from physics.batch.jobs import start
 
         world.plan()
         rows = [start(ball) for ball in world.scene.balls]
@@ -114,9 +114,10 @@ class Batch:
         self.starts = np.repeat(np.array([rows]), shots, axis=0)
         self.rests = np.empty((shots, balls, 2))
         self.times, self.events = np.empty(shots), np.empty(shots, np.int64)
+        self.notes = notes(shots, 0, balls, len(world.walls))
 
     def __call__(self) -> None:
-        self.many(self.starts, self.rests, self.times, self.events, 10**5, self.scene)
+        self.many(self.starts, self.rests, self.times, self.events, 10**5, self.scene, self.notes)
 
     def positions(self) -> Positions:
         """Where the balls of the last shot rest."""

@@ -16,7 +16,8 @@ from .world import World
 
 if TYPE_CHECKING:
     from . import scenes, tables
-    from .batch.many import Outcomes, simulate_many
+    from .batch.many import simulate_many
+    from .batch.outcomes import Outcomes
     from .cue import CueStroke
     from .engines.stepping import TimeStepping
     from .files import store
@@ -35,7 +36,7 @@ MODULES = {
     "tracks": "studies.tracks",
 }  # fmt: skip
 HOMES = {
-    "Outcomes": "batch.many", "simulate_many": "batch.many", "CueStroke": "cue",
+    "Outcomes": "batch.outcomes", "simulate_many": "batch.many", "CueStroke": "cue",
     "Recovered": "studies.recovery", "recover": "studies.recovery",
     "Sensitivity": "studies.sensitivity", "sensitivity": "studies.sensitivity",
     "Fit": "studies.fit", "StrokeFound": "studies.fit", "fit": "studies.fit",

@@ -13,10 +13,10 @@ from typing import NoReturn
 
 from . import commandline, laws, scenes, tables
 from .batch import sweep
-from .batch.many import NUMBERS
 from .engines.exact import EventBudgetError, EventDriven
 from .engines.stepping import SCHEMES, TimeStepping
 from .log import Event
+from .shot import NUMBERS
 from .studies import fitting
 from .studies.trace import trace
 from .world import World

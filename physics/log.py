@@ -10,7 +10,7 @@ from .checks import finite
 from .event import Contact, Event, State, States
 from .kernel.body import Body
 from .kernel.impulses import WALL
-from .kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, PHASE_NAMES
+from .kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, PHASE_NAMES, Kind
 from .kernel.leg import moved, place, risen
 from .kernel.motion import length
 from .wall import Obstacle
@@ -218,13 +218,20 @@ class Log(Sequence[Event]):
         """The hits, and balls that go down or leave the table, in order; ten times as quick as the
         events."""
         names, walls = self.names, self._walls
-        for k, (epoch, time, number, other, i, _, j, _, _) in enumerate(self._events):
+        for time, kind, i, other, away in self.touches():
+            if kind.other == "wall":
+                yield Contact(time, kind.name, (names[i],), walls[other].name, away)
+            else:
+                yield Contact(time, kind.name, (names[i], names[other]), None)
+
+    def touches(self) -> Iterator[tuple[float, Kind, int, int, float]]:
+        """The same by number: time, kind, ball, other ball or wall, away."""
+        for k, (epoch, time, number, other, i, *_) in enumerate(self._events):
             kind = KINDS[number]
             if kind.other == "wall":
-                wall, away = walls[other].name, self._away(k)
-                yield Contact(epoch + time, kind.name, (names[i],), wall, away)
+                yield epoch + time, kind, i, other, self._away(k)
             elif kind.other == "ball":
-                yield Contact(epoch + time, kind.name, (names[i], names[j]), None)
+                yield epoch + time, kind, i, other, inf
 
     def __repr__(self) -> str:
         return f"<Log of {len(self)} events>"

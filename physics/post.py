@@ -36,6 +36,9 @@ class Post(Obstacle):
         shape = Shape(kind=POST, size=self.radius, centre=centre, **around(centre, self.radius))
         object.__setattr__(self, "shape", shape)
 
+    def _across(self, spots: Any) -> Any:
+        return abs(spots - self.shape.centre) - self.shape.size
+
     def curve(self) -> tuple[complex, ...]:
         return rounded(self.shape.centre, self.radius)
 
@@ -68,6 +71,9 @@ class Pocket(Obstacle):
         centre = complex(*self.at)
         shape = Shape(kind=POCKET, size=self.radius, centre=centre, **around(centre, self.radius))
         object.__setattr__(self, "shape", shape)
+
+    def _across(self, spots: Any) -> Any:
+        return abs(spots - self.shape.centre) - self.shape.size
 
     def curve(self) -> tuple[complex, ...]:
         return rounded(self.shape.centre, self.radius)

@@ -1,6 +1,6 @@
 """A shot: the five numbers that the thesis's boxes ask for, and one for balls that jump."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from math import copysign
 
 from .checks import finite, keep, positive
@@ -72,3 +72,6 @@ class Shot:
         """(velocity, roll)."""
         along = direction(self.angle)
         return self.speed * along, complex(self.follow, -self.masse) * along
+
+
+NUMBERS = tuple(field.name for field in fields(Shot))

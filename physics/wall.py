@@ -3,14 +3,13 @@
 The shape of an obstacle and its geometry are the kernel's (kernel/obstacle.py).
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from .checks import finite, keep, positive, vector
 from .kernel import obstacle
+from .kernel.away import greatest
 from .kernel.elementary import direction
-from .kernel.leg import travelled
 from .kernel.motion import length
 from .kernel.obstacle import ARC, SEGMENT, Shape
 from .laws import CushionLaw, cushion_law
@@ -21,7 +20,6 @@ Law = str | CushionLaw | None
 UNIT = 1e-9  # how far the length of a normal may be from 1
 ROUNDING = 4e-16  # and of one that is a unit as far as it can be
 CHORDS = 96  # of a whole circle, as it is drawn
-LOOKS = 16  # how often a path is looked at for the part of it that is farthest away
 
 
 class Obstacle:
@@ -46,6 +44,21 @@ class Obstacle:
         """How far away the point (x, y) is, m; negative inside it or behind it."""
         return float(obstacle.clearance(self.shape, complex(*p), 0.0))
 
+    def at_least(self, spots: Any) -> Any:
+        """No more than how far away these points are, complex numbers in an array, m: exact where
+        it matters, in front of a long wall."""
+        import numpy as np
+
+        shape, x, y = self.shape, spots.real, spots.imag
+        beside = np.maximum(
+            np.maximum(shape.west - x, x - shape.east), np.maximum(shape.south - y, y - shape.north)
+        )
+        return np.maximum(beside, self._across(spots))
+
+    def _across(self, spots: Any) -> Any:
+        """How far away the whole line or circle is."""
+        return abs(abs(spots - self.shape.centre) - self.shape.size)
+
     def facing(self, p: tuple[float, float]) -> complex:
         """The direction, of length 1, in which it pushes a ball at the point (x, y)."""
         return complex(obstacle.facing(self.shape, complex(*p)))
@@ -53,12 +66,7 @@ class Obstacle:
     def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
         """The greatest distance, m, of a point that starts at p with v and accelerates with a,
         within t seconds.  To 1e-9 of the path, if it is no line."""
-
-        def gap(s: float) -> float:
-            return float(obstacle.clearance(self.shape, travelled(p, v, a, s), 0.0))
-
-        best = max((k * t / LOOKS for k in range(LOOKS + 1)), key=gap)
-        return gap(_summit(gap, max(0.0, best - t / LOOKS), min(t, best + t / LOOKS)))
+        return float(greatest(self.shape, p, v, a, t))
 
     def curve(self) -> tuple[complex, ...]:
         """Points along it, as many as it takes to look round; of a line, none."""
@@ -141,6 +149,9 @@ class Wall(Obstacle):
         from the x axis, with the table on its inside."""
         return Arc(centre, radius, start, end, name, law)
 
+    def at_least(self, spots: Any) -> Any:
+        return (self.shape.inward * spots).real - self.shape.offset
+
     def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
         return float(obstacle.farthest(self.shape, p, v, a, t))
 
@@ -184,6 +195,9 @@ class Segment(Obstacle):
             south=min(first.imag, last.imag), north=max(first.imag, last.imag),
         )  # fmt: skip
         object.__setattr__(self, "shape", shape)
+
+    def _across(self, spots: Any) -> Any:
+        return abs((self.shape.inward * spots).real - self.shape.offset)
 
     def curve(self) -> tuple[complex, ...]:
         return self.shape.first, self.shape.last
@@ -266,15 +280,6 @@ def keep_law(thing: Obstacle) -> None:
     """Its law by itself, also if it was named."""
     if thing.own_law is not None:
         object.__setattr__(thing, "law", cushion_law(thing.own_law))
-
-
-def _summit(height: Callable[[float], float], low: float, high: float) -> float:
-    """Where between the two it is highest, if it has one summit there: golden section."""
-    part = 0.6180339887498949
-    for _ in range(48):
-        a, b = high - part * (high - low), low + part * (high - low)
-        low, high = (a, high) if height(a) < height(b) else (low, b)
-    return 0.5 * (low + high)
 
 
 def _unit(normal: complex) -> complex:

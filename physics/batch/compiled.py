@@ -30,11 +30,14 @@ from physics.kernel.body import (
     Scene,
     Seat,
     Tie,
+    Way,
     no_grid,
     rows,
     ties,
 )
 from physics.kernel.obstacle import Shape
+
+from .outcomes import contact_type
 
 log = logging.getLogger("physics")
 _lock = Lock()  # threads may ask at once
@@ -236,7 +239,7 @@ def _play_nothing(package: ModuleType) -> None:
         package.elementary.directions(np.empty(0), np.empty(0, complex))
         package.calendar.many(
             np.empty((0, 1, COLUMNS)), np.empty((0, 1, 2)), np.empty(0), np.empty(0, np.int64), 0,
-            _packed(still, package.body),
+            _packed(still, package.body), _notes(0, 0, 1, 0, package.body),
         )  # fmt: skip
     finally:
         if collects:
@@ -260,6 +263,21 @@ def _forget(folder: Path) -> None:
 def records(items: list[Any], kind: Any) -> Any:
     """An array of records, also of none; `kind` is one such record."""
     return rows(items or [kind])[: len(items)]
+
+
+def notes(shots: int, most: int, balls: int, walls: int) -> Any:
+    """Room for the first so many contacts of every shot, for the compiled kernel."""
+    return _notes(shots, most, balls, walls, kernel().body)
+
+
+def _notes(shots: int, most: int, balls: int, walls: int, body: Any) -> Any:
+    import numpy as np
+
+    if not most:
+        shots = balls = 0
+    kept, found = np.zeros((shots, most), contact_type()), np.zeros(shots, np.int64)
+    ways = records([Way() for _ in range(balls)], Way())
+    return body.Notes(most, kept, found, ways, np.ones(balls * walls, bool))
 
 
 def packed(scene: Scene) -> Any:

@@ -12,10 +12,12 @@ from contextlib import contextmanager, nullcontext
 from math import floor, isfinite, prod
 from typing import TYPE_CHECKING, Any
 
-from .many import NUMBERS, Outcomes, simulate_many
+from physics.shot import NUMBERS
 
 if TYPE_CHECKING:
     from physics.world import World
+
+    from .outcomes import Outcomes
 
 MEANING = {
     "speed": "m/s",
@@ -75,6 +77,9 @@ def sweep(world: World, options: argparse.Namespace) -> str:
     """Play all shots and write what was asked for; returns a line about it."""
     import numpy as np
 
+    from .many import simulate_many
+    from .outcomes import together
+
     ball = world.ball(options.ball) if options.ball else world.balls[0]
     ranges = [getattr(options, name) for name in NUMBERS]
     total = prod(map(len, ranges))
@@ -86,16 +91,15 @@ def sweep(world: World, options: argparse.Namespace) -> str:
     shots = np.stack(np.meshgrid(*ranges, indexing="ij"), axis=-1).reshape(-1, len(NUMBERS))
     with pool(options.threads, options.processes) as executor, bar(total) as progress:
         parts = [
-            simulate_many(world, ball, shots[k : k + PIECE], executor, progress=progress)
+            simulate_many(world, ball, shots[k : k + PIECE], executor=executor, progress=progress)
             for k in range(0, total, PIECE)
         ]
-    outcomes = Outcomes(*(np.concatenate(column) for column in zip(*parts, strict=True)))
-    names = [each.name for each in world.balls]
+    outcomes = together(parts)
     if options.npz:
         with open(options.npz, "wb") as out:
-            np.savez_compressed(out, shots=shots, balls=names, **outcomes._asdict())
+            np.savez_compressed(out, shots=shots, **arrays(outcomes))
     if options.csv:
-        write(options.csv, names, shots, outcomes)
+        write(options.csv, shots, outcomes)
     said = f"{total} shot{'s' * (total > 1)} at {ball.name}, {int(outcomes.events.sum())} events"
     return "; written to ".join([said, " and ".join(files)] if files else [said])
 
@@ -119,11 +123,19 @@ def bar(total: int) -> Iterator[Callable[[int], object] | None]:
         yield shown.update
 
 
-def write(file: str, names: list[str], shots: Any, outcomes: Outcomes) -> None:
+def arrays(outcomes: Outcomes) -> dict[str, Any]:
+    """What goes into a file of NumPy arrays, by name."""
+    return {
+        "balls": outcomes.balls, "positions": outcomes.positions, "times": outcomes.times,
+        "events": outcomes.events,
+    }  # fmt: skip
+
+
+def write(file: str, shots: Any, outcomes: Outcomes) -> None:
     """A line of names, then one for each shot: its six numbers, time, events, places at rest."""
-    places = [f"{name} {axis}" for name in names for axis in "xy"]
+    places = [f"{name} {axis}" for name in outcomes.balls for axis in "xy"]
     with nullcontext(sys.stdout) if file == "-" else open(file, "w", newline="") as out:
         rows = csv.writer(out)
         rows.writerow([*NUMBERS, "time", "events", *places])
-        for shot, rest, time, events in zip(shots.tolist(), *outcomes, strict=True):
+        for shot, rest, time, events in zip(shots.tolist(), *outcomes[:3], strict=True):
             rows.writerow([*shot, float(time), int(events), *map(float, rest.flat)])

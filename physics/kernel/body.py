@@ -136,6 +136,37 @@ class Seat:
     promise: int = 0  # what that was for its partner when their meeting was foreseen
 
 
+@dataclass(slots=True, eq=False)
+class Way:
+    """A leg, kept after its ball has begun another."""
+
+    since: float = 0.0
+    position: complex = 0j
+    velocity: complex = 0j
+    acceleration: complex = 0j
+
+
+@dataclass(slots=True, eq=False)
+class Touch:
+    """A contact as a batch keeps it: see kernel/notes.py."""
+
+    kind: int = 0
+    again: bool = False  # at a cushion that the ball has not left since it last touched it
+    first: int = 0  # the number of the ball
+    second: int = 0  # and of the other ball, the wall or the pocket
+    time: float = 0.0  # since the shot, s
+
+
+class Notes(NamedTuple):
+    """Room for what a batch keeps of its shots."""
+
+    most: int  # contacts of a shot, which are kept
+    contacts: Any  # (shots, most)
+    found: Any  # how many each shot has had
+    ways: Any  # for each ball, the leg that it is on
+    near: Any  # has ball i not left wall k since they last touched?  At i * walls + k
+
+
 ROOMY = 2.11  # radii: a cell at least, so that all that may touch is in it or beside it
 _places = attrgetter(*Seat.__slots__)
 

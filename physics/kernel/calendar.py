@@ -15,7 +15,6 @@ from .kinds import (
     NOTHING,
     OFF,
     PAIR,
-    POCKETED,
     REST,
     RESTING,
     ROLL,
@@ -25,6 +24,7 @@ from .lasting import FEW, NEVER, forget, lean, leans, meets_slowly, rests_on
 from .laws import hit_ball, hit_wall, law_at
 from .leg import begin, carry, end, reach
 from .motion import length
+from .notes import note, open_notes
 from .obstacle import facing, holds, meet_any, meet_first, meet_first_aloft, meet_framed
 from .subset import complex, inf, kernel, nan, whole
 
@@ -300,10 +300,11 @@ def go_on(members, scene):
 
 
 @whole
-def advance(until, budget, scene):
+def advance(until, budget, scene, notes=None, s=0):
     """Everything that happens up to `until`: (how much it was, when the last of it was).
 
-    UNKNOWN events, if impulses between balls that touch could not be found.
+    UNKNOWN events, if impulses between balls that touch could not be found. What happens is kept in
+    the notes, if there are any, as that of shot s.
     """
     balls = scene.balls
     events, last = 0, 0.0
@@ -315,6 +316,8 @@ def advance(until, budget, scene):
         kind, other = happen(i, scene)
         if kind == UNSOLVED:
             return UNKNOWN, time
+        if notes is not None and notes.most > 0:
+            note(kind, i, other, time, s, balls, scene.walls, scene.ties.contacts, notes)
         if kind in (CLUSTER, LASTING):
             happened = blows(other, scene.ties)
             events += happened
@@ -326,7 +329,7 @@ def advance(until, budget, scene):
 
 
 @whole
-def many(starts, rests, times, counts, budget, scene):
+def many(starts, rests, times, counts, budget, scene, notes):
     """Each shot to its rest: `starts` (shots, balls, columns), `rests` (shots, balls, 2)."""
     balls = scene.balls
     for s in range(len(starts)):
@@ -338,8 +341,10 @@ def many(starts, rests, times, counts, budget, scene):
             ball.roll, ball.side = complex(x[ROLL_X], x[ROLL_Y]), x[SIDE]
             ball.height, ball.climb = x[HEIGHT], x[CLIMB]
         plan(scene)
-        counts[s], times[s] = advance(inf, budget, scene)
+        if notes.most > 0:
+            open_notes(s, balls, notes)
+        counts[s], times[s] = advance(inf, budget, scene, notes, s)
         for i in range(len(balls)):
-            down = balls[i].phase == POCKETED
-            rests[s][i][X] = balls[i].position.real if not down else nan
-            rests[s][i][Y] = balls[i].position.imag if not down else nan
+            gone = balls[i].phase >= OFF
+            rests[s][i][X] = balls[i].position.real if not gone else nan
+            rests[s][i][Y] = balls[i].position.imag if not gone else nan

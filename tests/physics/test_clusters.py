@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from physics import Ball, Cloth, EventDriven, Shot, World, laws, scenes, simulate_many
 from physics.engines.hertz import damping
+from tests.support.batches import same
 from tests.support.published import CHECKS
 
 R = 0.03275
@@ -220,8 +221,7 @@ def test_ordinary_play_is_the_same_with_and_without_springs():
     plain, springs = scenes.carom(), scenes.carom()
     springs.cluster_law = "hertz"
     shots = [Shot(3.0, float(angle), follow=0.5, side=1.5) for angle in range(0, 360, 12)]
-    for a, b in zip(*(simulate_many(w, "white", shots) for w in (plain, springs)), strict=True):
-        assert (a == b).all()
+    assert same(*(simulate_many(w, "white", shots) for w in (plain, springs)))
     with pytest.raises(ValueError, match="runs interpreted"):
         simulate_many(springs, "white", shots, compiled=True)
 

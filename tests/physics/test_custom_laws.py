@@ -23,6 +23,7 @@ from physics import (
     simulate,
     simulate_many,
 )
+from tests.support.batches import same
 
 SHOT = Shot(3.0, 60.0, follow=0.5, side=1.5)
 RIGID, ROUGH = laws.RigidCushion(), laws.RoughBall()
@@ -309,8 +310,7 @@ def test_a_batch_names_the_law_and_can_go_to_another_process():
     plain.cushion_law = RIGID
     pickle.loads(pickle.dumps(world.scene))
     shots = [Shot(3.0, float(angle)) for angle in range(0, 360, 40)]
-    for a, b in zip(*(simulate_many(w, "white", shots) for w in (world, plain)), strict=True):
-        assert (a == b).all()
+    assert same(*(simulate_many(w, "white", shots) for w in (world, plain)))
     world.cushion_law = lambda v, roll, side: (nan, roll, side)
     with pytest.raises(ValueError, match="cushion law <lambda>"):
         simulate_many(world, "white", shots)

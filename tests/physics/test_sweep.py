@@ -159,7 +159,7 @@ def test_a_batch_says_how_far_it_is(engine, threads, monkeypatch):
     shots = [Shot(3.0, float(k)) for k in range(70)]
     if threads:
         with ThreadPoolExecutor(threads) as pool:
-            simulate_many(world, "white", shots, pool, progress=done.append)
+            simulate_many(world, "white", shots, executor=pool, progress=done.append)
     else:
         simulate_many(world, "white", shots, progress=done.append)
     assert sum(done) == 70
@@ -172,7 +172,7 @@ def test_an_engine_without_batches_may_share_the_work_too():
     shots = [Shot(3.0, float(k)) for k in range(3)]
     alone = simulate_many(world, "white", shots)
     with ProcessPoolExecutor(1) as pool:
-        shared = simulate_many(world, "white", shots, pool)
+        shared = simulate_many(world, "white", shots, executor=pool)
     for a, b in zip(alone, shared, strict=True):
         assert np.array_equal(a, b)
 
@@ -181,7 +181,7 @@ def test_a_budget_that_is_used_up_in_another_process_is_the_same_error():
     world = scenes.carom()
     world.engine = TimeStepping(0.02, budget=3)
     with ProcessPoolExecutor(1) as pool, pytest.raises(EventBudgetError) as caught:
-        simulate_many(world, "white", [Shot(3.0)], pool)
+        simulate_many(world, "white", [Shot(3.0)], executor=pool)
     again = pickle.loads(pickle.dumps(caught.value))
     assert str(again) == str(caught.value)
     assert again.scene == caught.value.scene

@@ -44,20 +44,23 @@ def cases() -> Iterator[tuple[str, World, list[Shot]]]:
 
 def overrun() -> None:
     """A table of outcomes that is too short for its shots is written over its end."""
-    from physics.batch.compiled import kernel, packed
+    from physics.batch.compiled import kernel, notes, packed
 
     world = scenes.carom()
     world.plan()
     starts, rests = np.zeros((2, 4, 9)), np.empty((1, 4, 2))
     starts[:, :, 0] = 0.1 * np.arange(4)
     times, counts = np.empty(2), np.empty(2, np.int64)
-    kernel().calendar.many(starts, rests, times, counts, 100, packed(world.scene))
+    kept = notes(2, 0, 4, len(world.walls))
+    kernel().calendar.many(starts, rests, times, counts, 100, packed(world.scene), kept)
 
 
 def main() -> None:
     for name, world, shots in cases():
         ball = world.balls[0]
-        compiled, plain = (simulate_many(world, ball, shots, compiled=c) for c in (True, False))
+        compiled, plain = (
+            simulate_many(world, ball, shots, compiled=c, contacts=20) for c in (True, False)
+        )
         for a, b in zip(compiled, plain, strict=True):
             assert np.array_equal(a, b), name
         print(name, int(plain.events.sum()))

@@ -1,0 +1,178 @@
+"""The shots of a batch and where the balls lie before each: taken in, and refused by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from physics.ball import Placed
+from physics.checks import LARGEST, array
+from physics.kernel.leg import DOWN
+from physics.places import OVERLAP
+from physics.shot import NUMBERS, Shot
+
+if TYPE_CHECKING:
+    from physics.ball import Ball
+    from physics.world import World
+
+_numbers = attrgetter(*NUMBERS)
+
+
+class Asked(NamedTuple):
+    """What is to be played, checked.
+
+    struck: the number of the ball.
+    table: (shots, 5 or 6), the shots.
+    places: (shots, balls, 2) m, where the balls lie before each, or None: as in the world.
+    """
+
+    struck: int
+    table: Any
+    places: Any
+
+    def pieces(self, chunk: int) -> list[tuple[Any, Any]]:
+        """The rows of both, so many at a time; at least one piece."""
+        cuts = [slice(k, k + chunk) for k in range(0, len(self.table), chunk)] or [slice(0)]
+        places = self.places
+        return [(self.table[cut], None if places is None else places[cut]) for cut in cuts]
+
+
+def asked_of(
+    world: World, ball: Ball | str, shots: Any, numbers: Mapping[str, Any], positions: Any
+) -> Asked:
+    """What is to be played; ValueError, naming it, if it cannot be."""
+    world.plan()
+    cue = world.ball(ball) if positions is not None else world.ball(ball).on_table()
+    struck = world.balls.index(cue)
+    places = places_of(world, struck, positions)
+    return Asked(struck, table_of(shots, numbers, None if places is None else len(places)), places)
+
+
+def table_of(shots: Any, numbers: Mapping[str, Any], places: int | None) -> Any:
+    """The shots as an array (shots, 5 or 6): given as they are, or number by number.
+
+    places: for how many shots it has been said where the balls lie, or None.
+    ValueError if one of them cannot be played, or if there are not as many as places.
+    """
+    given = {name: value for name, value in numbers.items() if value is not None}
+    for name in given.keys() - {*NUMBERS}:
+        raise TypeError(f"simulate_many has no argument {name!r}")
+    if shots is None:
+        table = _spread(given, places)
+    elif given:
+        raise ValueError(f"simulate_many takes shots or {_listed(given)}, not both")
+    else:
+        table = _listed_shots(shots)
+    if places is not None and len(table) != places:
+        raise ValueError(f"there are {len(table)} shots, but positions for {places}")
+    for bad in np.flatnonzero(~((abs(table) <= LARGEST).all(axis=1) & (table[:, 0] > 0.0))):
+        try:
+            Shot(*table[bad].tolist())
+        except ValueError as error:
+            raise ValueError(f"shot {bad}: {error}") from None
+    return table
+
+
+def _listed(given: Mapping[str, Any]) -> str:
+    return ", ".join(f"{name}=" for name in given)
+
+
+def _spread(given: Mapping[str, Any], places: int | None) -> Any:
+    """(shots, 6) from numbers or arrays (shots,) by name; what is not given is 0."""
+    if "speed" not in given:
+        raise ValueError("simulate_many needs shots, or at least speed=")
+    columns = [array(name, given.get(name, 0.0)) for name in NUMBERS]
+    try:
+        shape = np.broadcast_shapes(*(each.shape for each in columns), (places or 1,))
+    except ValueError:
+        shape = ()
+    if len(shape) != 1:
+        sizes = [(name, columns[k].shape) for k, name in enumerate(NUMBERS) if name in given]
+        said = ", ".join(f"{name}= {size}" for name, size in sizes)
+        more = f" for {places} positions" if places is not None else ""
+        raise ValueError(f"numbers or arrays (shots,) of one length, not {said}{more}")
+    return np.stack([np.broadcast_to(each, shape) for each in columns], axis=1)
+
+
+def _listed_shots(shots: Any) -> Any:
+    try:
+        if not isinstance(shots, np.ndarray):
+            shots = [_numbers(shot) if isinstance(shot, Shot) else shot for shot in shots]
+        table = array("shots", shots) if len(shots) else np.empty((0, 6))
+    except (TypeError, ValueError):
+        raise ValueError(
+            f"shots must be Shots or rows of 5 or 6 numbers, not {shots!r:.80}"
+        ) from None
+    if table.ndim != 2 or table.shape[1] not in (5, 6):
+        raise ValueError(f"shots must be Shots or an array (shots, 5 or 6), not {table.shape}")
+    return table
+
+
+def places_of(world: World, struck: int, positions: Any) -> Any:
+    """The positions as an array (shots, balls, 2), checked; None if they are None."""
+    if positions is None:
+        return None
+    places, n = array("positions", positions), len(world.balls)
+    if places.ndim != 3 or places.shape[1:] != (n, 2):
+        raise ValueError(f"positions must be an array (shots, {n}, 2), not {places.shape}")
+    gone = np.isnan(places)
+    wrong = (gone[:, :, 0] != gone[:, :, 1]) | (abs(places) > LARGEST).any(axis=2)
+    if wrong.any():
+        shot, ball = map(int, np.argwhere(wrong)[0])
+        where = tuple(places[shot, ball].tolist())
+        raise ValueError(
+            f"positions of shot {shot}: ball {world.balls[ball].name!r} must be at two finite"
+            f" numbers, or at two NaN if it is not on the table, not {where}"
+        )
+    _check_places(world, struck, places)
+    return places
+
+
+def _check_places(world: World, struck: int, places: Any) -> None:
+    """ValueError, with the number of the shot, for balls that do not fit where they are."""
+    cue = world.balls[struck].name
+    spots = np.ascontiguousarray(places).view(complex)[:, :, 0]
+    for shot in np.flatnonzero(_doubtful(world, spots) | np.isnan(spots[:, struck])):
+        if np.isnan(spots[shot, struck]):
+            raise ValueError(f"positions of shot {shot}: ball {cue!r} is not on the table")
+        try:
+            laid(world, places[shot]).plan()
+        except ValueError as error:
+            raise ValueError(f"positions of shot {shot}: {error}") from None
+
+
+def _doubtful(world: World, spots: Any) -> Any:
+    """(shots,): may something overlap?  Quick, and no for most; `laid` and its world know."""
+    radii = np.array([ball.radius for ball in world.balls])
+    gone = np.isnan(spots)
+    doubtful = np.zeros(len(spots), bool)
+    for wall in world.walls:
+        need = radii if wall.pushes else 0.0 * radii
+        doubtful |= ~(gone | (wall.at_least(spots) >= need - 0.5 * OVERLAP)).all(axis=1)
+    return doubtful | _near(world, spots, radii)
+
+
+def _near(world: World, spots: Any, radii: Any) -> Any:
+    """(shots,): do two balls lie nearer than those that just touch?"""
+    lifts = np.array([ball.body.lift for ball in world.balls])
+    first, second = np.triu_indices(len(radii), 1)
+    apart = spots[:, first] - spots[:, second]
+    square = apart.real**2 + apart.imag**2 + (lifts[first] - lifts[second]) ** 2
+    reach = radii[first] + radii[second] - 0.5 * OVERLAP
+    return (square < reach * reach).any(axis=1)
+
+
+def laid(world: World, places: Sequence[Sequence[float]]) -> World:
+    """A copy of the world with its balls lying still at these places, (balls, 2) m; with NaN, in a
+    pocket."""
+    copy = world.fork(world.log.fresh())
+    for ball, (x, y) in zip(copy.balls, np.asarray(places).tolist(), strict=True):
+        if x != x:
+            ball.placed = Placed(0j, height=DOWN)
+        else:
+            ball.placed = Placed(complex(x, y))
+            ball.position = x, y  # so that its place is checked
+    return copy
