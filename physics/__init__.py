@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .engines.stepping import TimeStepping
     from .files import store
     from .studies import ledger, tracks
+    from .studies.drawn import Drawn, recover_drawn
     from .studies.fit import Fit, StrokeFound, fit
     from .studies.recovery import Recovered, recover
     from .studies.sensitivity import Sensitivity, sensitivity
@@ -38,6 +39,7 @@ MODULES = {
 HOMES = {
     "Outcomes": "batch.outcomes", "simulate_many": "batch.many", "CueStroke": "cue",
     "Recovered": "studies.recovery", "recover": "studies.recovery",
+    "Drawn": "studies.drawn", "recover_drawn": "studies.drawn",
     "Sensitivity": "studies.sensitivity", "sensitivity": "studies.sensitivity",
     "Fit": "studies.fit", "StrokeFound": "studies.fit", "fit": "studies.fit",
     "Track": "studies.tracks",
@@ -61,9 +63,9 @@ def __dir__() -> list[str]:
 
 
 __all__ = [
-    "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning", "Event",
+    "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "Drawn", "EnergyGainWarning", "Event",
     "EventBudgetError", "EventDriven", "Fit", "Leg", "Log", "Outcomes", "Placed", "Pocket", "Post",
     "Recovered", "Sensitivity", "Shot", "State", "StrokeFound", "TimeStepping", "Track", "Wall",
-    "World", "direction", "fit", "heading", "heights", "laws", "ledger", "recover", "scenes",
-    "sensitivity", "simulate", "simulate_many", "store", "tables", "trace", "tracks",
+    "World", "direction", "fit", "heading", "heights", "laws", "ledger", "recover", "recover_drawn",
+    "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables", "trace", "tracks",
 ]  # fmt: skip

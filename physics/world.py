@@ -67,9 +67,7 @@ class World:
         self._checked = 0  # how many of the walls all balls are known to be inside of
         self.log = Log()
         self.log.watch(self._walls)
-        self.scene = Scene(
-            [], [], [], self._clock.cloth, None, None, no_ties(0), False, no_grid(0)
-        )
+        self.scene = Scene([], [], [], self._clock.cloth, None, None, no_ties(0), False, no_grid(0))
         self._renew_rules()
         # for the engine: when the next event is due, from the epoch on; when it planned; its budget
         self.due, self.planned, self.allowed = inf, 0.0, 0
@@ -153,7 +151,6 @@ class World:
         self._cloth = cloth
         self._disturb()
         self._clock.cloth = replace(cloth.felt(), still=self._clock.cloth.still)
-        self.scene = self.scene._replace(cloth=self._clock.cloth)
         self._renew_rules()
 
     @property
@@ -219,7 +216,8 @@ class World:
             from .watch import watch
 
             watch(rules, self._balls, self._asking, self._warned)
-        self.scene = self.scene._replace(ball_rule=ball, cushion_rule=cushion, rules=walls)
+        scene = self.scene._replace(cloth=self._clock.cloth, bands=self._cloth.strips())
+        self.scene = scene._replace(ball_rule=ball, cushion_rule=cushion, rules=walls)
 
     def _refuse_laws(self, call: str) -> None:
         """RuntimeError if a custom law, while it is asked, uses this."""

@@ -23,6 +23,7 @@ from physics import binding
 from physics.binding import FOLDER, load
 from physics.kernel.body import (
     COLUMNS,
+    Band,
     Blow,
     Body,
     Felt,
@@ -304,4 +305,6 @@ def _packed(scene: Scene, body: Any) -> Any:
     meetings = np.array(scene.meetings, float)
     own = records(list(scene.rules), Rule(0))
     first = rows(scene.balls), meetings, walls, felt, *rules, room
-    return body.Scene(*first, scene.celled, grid, scene.lines, own, np.array(scene.frame, int))
+    bands = records(list(scene.bands), Band())
+    frame = np.array(scene.frame, int)
+    return body.Scene(*first, scene.celled, grid, scene.lines, own, frame, bands)

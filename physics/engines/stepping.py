@@ -89,6 +89,8 @@ class TimeStepping:
         for ball in world.balls:
             if not (ball.on_cloth or ball.gone):
                 raise ValueError(f"{ball!r}: fixed steps know only balls on the table")
+        if world.cloth.bands:
+            raise ValueError("fixed steps know one rolling resistance for all speeds: no bands")
         SCHEMES[self.scheme].start(world, disturbed)
         world.due = self._grid(world, 0) if _moving(world) else inf
         world.allowed = len(world.log) + self.budget

@@ -15,7 +15,7 @@ HOMES = (  # of named things
 )  # fmt: skip
 TABLE = ("name", "kind", "length", "width", "radius", "mass")  # of a table, beside its laws
 VERSION = 3  # 2 took balls of unequal radii for discs, 1 knew no balls in the air
-SLOPES = ("e_slope", "mu_slope")  # of laws: written where they are not 0, as older files are
+LATER = ("e_slope", "mu_slope", "bands")  # written where there are any, as older files are
 DISTURBED = "disturbed"
 COMPLEX = ("position", "velocity", "acceleration", "roll")
 REAL = ("side", "height", "climb", "fall")
@@ -36,7 +36,7 @@ def world_data(world: Movable) -> Data:
     return {
         "danggu": "world",
         "version": VERSION,
-        "cloth": asdict(world.cloth),
+        "cloth": _numbers(world.cloth),
         "ball_law": _named(world.ball_law),
         "cushion_law": _named(world.cushion_law),
         "cluster_law": None if world.cluster_law is None else asdict(world.cluster_law),
@@ -115,8 +115,12 @@ def _named(thing: Any) -> Data:
     """A law or an engine as data; of a custom one, or of a custom table, only its name."""
     if not _ours(thing):
         return {"name": f"{getattr(thing, '__name__', thing)} (custom)"}
-    values = {key: value for key, value in asdict(thing).items() if value or key not in SLOPES}
-    return {"name": type(thing).__name__, **values}
+    return {"name": type(thing).__name__, **_numbers(thing)}
+
+
+def _numbers(thing: Any) -> Data:
+    """Its coefficients."""
+    return {key: value for key, value in asdict(thing).items() if value or key not in LATER}
 
 
 def _table(table: Any) -> Data:
@@ -124,7 +128,7 @@ def _table(table: Any) -> Data:
         return _named(table)
     return {
         **{name: getattr(table, name) for name in TABLE},
-        "cloth": asdict(table.cloth),
+        "cloth": _numbers(table.cloth),
         "ball_law": _named(table.ball_law),
         "cushion_law": _named(table.cushion_law),
         "pockets": None if table.pockets is None else asdict(table.pockets),

@@ -25,9 +25,9 @@ from physics.world import World
 from .record import (
     COMPLEX,
     DISTURBED,
+    LATER,
     PAGE,
     REAL,
-    SLOPES,
     VERSION,
     Data,
     foresees,
@@ -227,13 +227,15 @@ def _pockets(node: Node) -> Any:
 def _made(kind: Any, node: Node) -> Any:
     """A dataclass from its fields; its own ValueError, with the place, if it refuses them."""
     names = [field.name for field in fields(kind)]
-    names = [name for name in names if name not in SLOPES or name in node.value]
-    values = {name: node[name].value for name in names}
+    there = node.value if isinstance(node.value, dict) else ()
+    names = [name for name in names if name not in LATER or name in there]
+    bands = [band.point() for band in node["bands"].items()] if "bands" in names else []
+    values = {name: node[name].value for name in names if name != "bands"}
     for name, value in values.items():
         if isinstance(value, bool) or not isinstance(value, int | float | str | None):
             raise ValueError(f"{node.where}.{name} must be a number or text, not {value!r:.60}")
     try:
-        return kind(**values)
+        return kind(**values, bands=tuple(bands)) if bands else kind(**values)
     except (ValueError, TypeError) as error:
         raise ValueError(f"{node.where}: {error}") from None
 

@@ -74,6 +74,15 @@ class Felt:
 
 
 @dataclass(slots=True, eq=False)
+class Band:
+    """The rolling resistance of balls that are faster than `speed`, m/s, and no faster than the
+    next band's: so many times the cloth's."""
+
+    speed: float = 0.0
+    share: float = 1.0
+
+
+@dataclass(slots=True, eq=False)
 class Rule:
     """A law of collision: which one, and its coefficients."""
 
@@ -209,6 +218,7 @@ class Scene(NamedTuple):
     lines: bool = True  # are all walls lines?
     rules: Any = ()  # the law of every wall, if one of them has its own
     frame: Any = ()  # in which only long walls matter, see kernel/obstacle.py
+    bands: Any = ()  # of rolling resistance, from the slowest on, if it depends on the speed
 
 
 def ties(balls: int) -> Ties:

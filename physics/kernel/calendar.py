@@ -18,11 +18,12 @@ from .kinds import (
     REST,
     RESTING,
     ROLL,
+    ROLLING,
     UNSOLVED,
 )
 from .lasting import FEW, NEVER, forget, lean, leans, meets_slowly, rests_on
 from .laws import hit_ball, hit_wall, law_at
-from .leg import begin, carry, end, reach
+from .leg import begin, brake, carry, end, reach
 from .motion import length
 from .notes import note, open_notes
 from .obstacle import facing, holds, meet_any, meet_first, meet_first_aloft, meet_framed
@@ -40,6 +41,8 @@ def start_leg(i, scene):
     ball = scene.balls[i]
     lasts = begin(ball, scene.cloth)
     ball.goal = MISSING
+    if ball.phase == ROLLING and len(scene.bands) > 0:
+        lasts = brake(ball, scene.cloth, scene.bands)
     if ball.phase == AIRBORNE:
         lasts = meet_first_aloft(ball, scene.walls, scene.rules, scene.cushion_rule, lasts)
     elif RESTING < ball.phase < OFF:

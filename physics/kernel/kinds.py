@@ -35,7 +35,7 @@ class Kind(NamedTuple):
     contact: bool = False  # do they push each other?
 
 
-ROLL, REST, LAND, LEAVE, CUSHION, PAIR, DROP = 0, 1, 2, 3, 4, 5, 6
+ROLL, REST, LAND, LEAVE, CUSHION, PAIR, DROP, SLOW = 0, 1, 2, 3, 4, 5, 6, 7
 KINDS = (
     Kind("roll"),
     Kind("rest"),
@@ -44,6 +44,7 @@ KINDS = (
     Kind("cushion", "wall", closes=True, contact=True),
     Kind("ball", "ball", closes=True, contact=True),
     Kind("pocket", "wall"),
+    Kind("slow"),
 )
 # What happens at an instant may also be many of these, or none; and for some nothing was found.
 CLUSTER, LASTING, NOTHING, UNSOLVED = 10, 11, 12, 13

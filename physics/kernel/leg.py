@@ -5,12 +5,13 @@ and is a matter of its phase (kinds.py): `begin` finds the phase, `moved` goes a
 it.
 """
 
-from .kinds import AIRBORNE, DROP, LAND, LEAVE, OFF, POCKETED, RESTING, ROLL, ROLLING
-from .motion import faded, motion
+from .kinds import AIRBORNE, DROP, LAND, LEAVE, OFF, POCKETED, RESTING, ROLL, ROLLING, SLOW
+from .motion import faded, length, motion
 from .subset import inf, kernel, sqrt
 
 BELOW = -1.0  # m: the height of a ball that has left the table
 DOWN = -2.0  # m: and of one in a pocket
+JUST = 1.0 + 1e-9  # times a speed: what is no faster has come down to it
 
 
 @kernel
@@ -72,6 +73,21 @@ def begin(ball, cloth):
         ball.roll = 0j
     ball.phase, ball.ending = phase, ROLL
     return lasts
+
+
+@kernel
+def brake(ball, cloth, bands):
+    """Rolling resistance that depends on the speed: that of the ball's band, until it has come down
+    to the next one; returns how long that lasts."""
+    speed = length(ball.velocity)
+    k = len(bands) - 1
+    while k > 0 and speed <= JUST * bands[k].speed:
+        k -= 1
+    loss = bands[k].share * cloth.roll
+    if k > 0:
+        ball.ending = SLOW
+    ball.acceleration = -loss / speed * ball.velocity
+    return (speed - bands[k].speed) / loss if loss > 0.0 else inf
 
 
 @kernel

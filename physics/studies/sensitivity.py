@@ -17,7 +17,7 @@ from physics.ball import Ball
 from physics.checks import array, nonnegative, vector
 from physics.engines.exact import EventDriven
 from physics.kernel.impulses import WALL
-from physics.kernel.kinds import AIRBORNE, CUSHION, DROP, KINDS, PAIR, RESTING, ROLL
+from physics.kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, REST, RESTING, ROLL, ROLLING
 from physics.kernel.lasting import FEW
 from physics.log import Event
 from physics.shot import Shot
@@ -212,7 +212,10 @@ class Replay:
             # it rolls, but would slip after another shot, for a moment that leaves 5/7 v + 2/7 w
             rolling = (5.0 * self.slope(body.velocity) + 2.0 * self.slope(body.roll)) / 7.0
             body.velocity = body.roll = Dual(value(body.velocity), rolling)
-        body.leg_end = body.since + self.kernel.leg.begin(body, cloth)
+        lasts = self.kernel.leg.begin(body, cloth)
+        if body.phase == ROLLING and self.scene.bands:
+            lasts = self.kernel.leg.brake(body, cloth, self.scene.bands)
+        body.leg_end = body.since + lasts
 
     def events(self) -> Iterator[EventSlope]:
         """Go through them in their order; a cluster, which is many of them, once."""
@@ -267,7 +270,7 @@ class Replay:
     def _collide(self, kind: int, i: int, other: int, pairs: list[list[int]]) -> None:
         scene, laws, balls = self.scene, self.kernel.laws, self.balls
         if not KINDS[kind].contact:
-            self.kernel.leg.end(balls[i], kind if kind == DROP else ROLL)
+            self.kernel.leg.end(balls[i], ROLL if kind == REST else kind)
         elif kind == CUSHION:
             normal = self._facing(other, balls[i].position)
             laws.hit_wall(balls[i], normal, self._law(other))

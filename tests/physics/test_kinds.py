@@ -32,9 +32,15 @@ def into_a_pocket():
     return simulate(world, "white", Shot(2.0, angle=180.0))
 
 
+def slower_and_slower():
+    world = scenes.carom()
+    world.cloth = world.cloth.rolling(lambda speed: 0.04 + 0.0125 * speed)
+    return simulate(world, "white", Shot(2.0, angle=10.0, follow=2.0))
+
+
 LOGS = {**{name: lambda name=name: golden.play(name) for name in scenes.SCENES},
         "over the cushion": over_the_cushion, "a hop": a_hop,
-        "into a pocket": into_a_pocket}  # fmt: skip
+        "into a pocket": into_a_pocket, "slower and slower": slower_and_slower}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", LOGS)

@@ -215,7 +215,7 @@ def test_nothing_that_makes_a_shot_rounds_as_a_c_library_or_a_processor_likes():
     alike = {"ceil", "copysign", "floor", "fsum", "inf", "isfinite", "ldexp", "nan", "pi", "prod",
              "sqrt"}  # fmt: skip
     compares = {"__main__.py", "places.py", "watch.py"}  # with a slack, or shows
-    analyses = {"fit.py", "least_squares.py", "plot.py", "recovery.py", "search.py",
+    analyses = {"drawn.py", "fit.py", "least_squares.py", "plot.py", "recovery.py", "search.py",
                 "sensitivity.py"}  # fmt: skip
     for path in (ROOT / "physics").rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text())):
