@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .cue import CueStroke
     from .engines.stepping import TimeStepping
     from .files import store
-    from .studies import ledger, tracks
+    from .studies import aim, ledger, tracks
     from .studies.fit import Fit, StrokeFound, fit
     from .studies.recovery import Recovered, recover
     from .studies.sensitivity import Sensitivity, sensitivity
@@ -31,8 +31,8 @@ __version__ = "0.1.0"
 
 # loaded on first use: a program that only wants a world waits for nothing else
 MODULES = {
-    "ledger": "studies.ledger", "scenes": "scenes", "store": "files.store", "tables": "tables",
-    "tracks": "studies.tracks",
+    "aim": "studies.aim", "ledger": "studies.ledger", "scenes": "scenes", "store": "files.store",
+    "tables": "tables", "tracks": "studies.tracks",
 }  # fmt: skip
 HOMES = {
     "Outcomes": "batch.many", "simulate_many": "batch.many", "CueStroke": "cue",
@@ -63,6 +63,6 @@ __all__ = [
     "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning", "Event",
     "EventBudgetError", "EventDriven", "Fit", "Leg", "Log", "Outcomes", "Placed", "Pocket", "Post",
     "Recovered", "Sensitivity", "Shot", "State", "StrokeFound", "TimeStepping", "Track", "Wall",
-    "World", "direction", "fit", "heading", "heights", "laws", "ledger", "recover", "scenes",
+    "World", "aim", "direction", "fit", "heading", "heights", "laws", "ledger", "recover", "scenes",
     "sensitivity", "simulate", "simulate_many", "store", "tables", "trace", "tracks",
 ]  # fmt: skip
