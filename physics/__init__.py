@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .cue import CueStroke
     from .engines.stepping import TimeStepping
     from .files import store
-    from .studies import ledger, tracks
+    from .studies import aim, ledger, tracks
     from .studies.drawn import Drawn, recover_drawn
     from .studies.fit import Fit, StrokeFound, fit
     from .studies.recovery import Recovered, recover
@@ -33,8 +33,8 @@ __version__ = "0.1.0"
 
 # loaded on first use: a program that only wants a world waits for nothing else
 MODULES = {
-    "ledger": "studies.ledger", "scenes": "scenes", "store": "files.store", "tables": "tables",
-    "tracks": "studies.tracks",
+    "aim": "studies.aim", "ledger": "studies.ledger", "scenes": "scenes", "store": "files.store",
+    "tables": "tables", "tracks": "studies.tracks",
 }  # fmt: skip
 HOMES = {
     "Outcomes": "batch.outcomes", "simulate_many": "batch.many", "CueStroke": "cue",
@@ -66,6 +66,7 @@ __all__ = [
     "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "Drawn", "EnergyGainWarning", "Event",
     "EventBudgetError", "EventDriven", "Fit", "Leg", "Log", "Outcomes", "Placed", "Pocket", "Post",
     "Recovered", "Sensitivity", "Shot", "State", "StrokeFound", "TimeStepping", "Track", "Wall",
-    "World", "direction", "fit", "heading", "heights", "laws", "ledger", "recover", "recover_drawn",
-    "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables", "trace", "tracks",
+    "World", "aim", "direction", "fit", "heading", "heights", "laws", "ledger", "recover",
+    "recover_drawn", "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables", "trace",
+    "tracks",
 ]  # fmt: skip

@@ -10,7 +10,7 @@ from .kernel.body import Body, Felt, twin
 from .kernel.kinds import PHASES, Phase
 from .kernel.lasting import NEVER, forget
 from .kernel.leg import aloft, begin, carry, moved, place, risen
-from .kernel.motion import STILL
+from .kernel.motion import STILL, length
 from .kernel.tilt import touching_distance
 
 DISTURBED = -1  # the phase of a ball that was changed and that no engine has looked at yet
@@ -299,6 +299,14 @@ class Ball:
         return PHASES[body.phase]
 
     @property
+    def energy(self) -> float:
+        """Of moving and turning, J, and what gravity has stored in it; 0 for one that is gone."""
+        _, v, roll, side = self._moved()
+        lift = 0.5 * self.climb**2 + self._clock.cloth.gravity * self.height
+        turning = 0.2 * (length(roll) ** 2 + side * side)
+        return 0.0 if self.gone else float(self.mass * (0.5 * length(v) ** 2 + lift + turning))
+
+    @property
     def placed(self) -> Placed:
         """How it lies or moves now; assigning restores it, and nothing is checked."""
         body = twin(self._body)
@@ -342,6 +350,12 @@ class Ball:
         self._open, self._clock = None, clock
         self._body.since = clock.now
         return self._body
+
+    def leave(self) -> None:
+        """Be in no world, with the motion that it has now."""
+        body = self.disturb()
+        self._clock, self.put = Alone(), True
+        body.since, body.lift = 0.0, body.radius
 
     def _fit(self, table: Sized, given: _Open) -> None:
         """A spin in rad/s stays that, and a ball that was made to roll still rolls."""

@@ -1,6 +1,6 @@
 """The cue: where and how fast the tip meets the ball, and the shot that results."""
 
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 from math import fsum, sqrt
 from typing import Protocol
 
@@ -13,6 +13,14 @@ class Heavy(Protocol):
 
     @property
     def mass(self) -> float: ...
+
+
+ALIKE = 1e-9  # of a shot's speed: a stroke that is no farther from a shot gives it
+
+
+def _alike(one: Shot, other: Shot) -> bool:
+    apart = [abs(a - b) for a, b in zip(astuple(one), astuple(other), strict=True)]
+    return bool(max(apart) <= ALIKE * (other.speed + abs(other.angle)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +71,74 @@ class CueStroke:
                 f" line {self.offset:.4f} radii from the centre; this tip slips beyond"
                 f" {self.limit:.4f}"
             )
+
+    @classmethod
+    def along(
+        cls, speed: float, angle: float = 0.0, right: float = 0.0, up: float = 0.0,
+        elevation: float = 0.0, **cue: float,
+    ) -> "CueStroke":  # fmt: skip
+        """The stroke whose tip meets the ball there as one sees it along the raised cue.
+
+        right, up: of the centre of the disc that the ball then is, in radii. `side`, `height` are
+        as seen level, from behind: with elevation, the same tip is higher there.
+        cue: cue_mass, restitution, end_ratio and friction. ValueError as for a CueStroke, and for a
+        tip so far up that it meets the ball beyond its top.
+
+        >>> stroke = CueStroke.along(3.0, right=0.3, up=0.1, elevation=60.0)
+        >>> f"{stroke.side:.3f} {stroke.height:.3f}"
+        '0.300 0.872'
+        """
+        a, b = finite("CueStroke.along right", right), finite("CueStroke.along up", up)
+        if (square := 1.0 - a * a - b * b) <= 0.0:
+            raise ValueError(f"CueStroke.along right and up, {right!r} and {up!r}, miss the ball")
+        raised = direction(finite("CueStroke.elevation", elevation))
+        if b * raised.imag >= sqrt(square) * raised.real:
+            raise ValueError(
+                f"CueStroke.along up {up!r}: a cue raised by {elevation!r}° meets the ball beyond"
+                " its top there"
+            )
+        height = b * raised.real + sqrt(square) * raised.imag
+        return cls(speed, angle, a, height, elevation, **cue)
+
+    @property
+    def seen(self) -> tuple[float, float]:
+        """Where the tip meets the ball as one sees it along the cue: right and up of the centre, in
+        radii."""
+        return self.side, self.lever[1]
+
+    @classmethod
+    def of(cls, shot: Shot, ball: Heavy, **cue: float) -> "CueStroke":
+        """The stroke that gives this shot to a ball of that mass: the inverse of `shot`, or, for a
+        shot with a climb below zero, of `jump`.
+
+        A shot without massé and climb is played with a level cue, which with side and follow leaves
+        some: follow times the tangent of the squirt. Without side, elevation shows only in a climb.
+        cue: cue_mass, restitution, end_ratio and friction. ValueError for a shot that no stroke
+        gives, such as a massé without side, and for a miscue.
+
+        >>> from physics import tables
+        >>> found = CueStroke.of(Shot(3.0, 30.0, follow=1.5, side=0.75), tables.MATCH_CAROM)
+        >>> f"{found.speed:.2f} m/s, right {found.side:.2f}, up {found.height:.2f}"
+        '2.68 m/s, right 0.10, up 0.20'
+        """
+        side, ask = shot.side / (2.5 * shot.speed), shot
+        straight = cls(1.0, side=side, **cue)
+        if shot.masse == shot.climb == 0.0:
+            turned = direction(straight.squirt)
+            ask = replace(shot, masse=shot.follow * turned.imag / turned.real)
+        spin = complex(ask.follow, -ask.masse) * direction(straight.squirt) / (2.5 * shot.speed)
+        steep = -shot.climb / shot.speed if shot.climb else -spin.imag / side if side else 0.0
+        square, high = 1.0 + steep * steep, spin.real
+        # height - back * steep is that spin, and back the rest of the sphere
+        root = square * (1.0 - side * side) - high * high
+        if steep < -ALIKE or root < 0.0:
+            raise ValueError(f"no stroke of a cue gives {shot!r}")
+        height, elevation = (high + steep * sqrt(root)) / square, heading(complex(1.0, steep))
+        stroke = cls(1.0, shot.angle - straight.squirt, side, height, max(0.0, elevation), **cue)
+        stroke = replace(stroke, speed=shot.speed / stroke.shot(ball).speed)
+        if not _alike(stroke.jump(ball) if shot.climb else stroke.shot(ball), ask):
+            raise ValueError(f"no stroke of a cue gives {shot!r}")
+        return stroke
 
     @property
     def lever(self) -> tuple[float, float, float]:

@@ -1,15 +1,16 @@
 """The world: balls, walls and laws on one cloth, and the moment they are at."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from math import inf
-from typing import Any, TypeVar
+from typing import Any
 
 from . import laws
 from .ball import DISTURBED, Ball, Clock, Placed, a_table
 from .checks import finite, nonnegative, truth
 from .cloth import Cloth, a_cloth
+from .contents import FEW, Contents
 from .engines.engine import Engine, an_engine
 from .engines.exact import EventDriven
 from .files.record import foresees
@@ -18,22 +19,19 @@ from .kernel.body import Scene, celled, no_grid, no_ties, twin_scene
 from .kernel.kinds import PHASES
 from .log import Log
 from .parting import part
+from .pictured import Pictured
 from .places import check_places
-from .room import check_room
 from .shot import Shot
 from .wall import Obstacle
 
-FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
 
-Thing = TypeVar("Thing", bound=Ball | Obstacle)
-
-
-class World:
+class World(Contents, Pictured):
     """Balls inside walls on a cloth, laws for what happens when they touch, an engine and a log.
 
     ball_law and cushion_law: a law of `physics.laws`, its name, or any callable (see there). All
     can be read and assigned at any moment. What cannot be raises ValueError and changes nothing.
     discs: are its balls flat?  table: whose balls those are that have no size (see `Table.world`).
+    balls, walls: what is in it from the start; `add` puts in more.
     """
 
     __slots__ = (  # so that a misspelt name is an error, and not an attribute that nothing reads
@@ -50,6 +48,8 @@ class World:
         engine: Engine | None = None,
         discs: bool = False,
         table: Any = None,
+        balls: Iterable[Ball] = (),
+        walls: Iterable[Obstacle] = (),
     ) -> None:
         self._discs, self._table = truth("a world's discs", discs), a_table(table)
         self._cloth = Cloth() if cloth is None else a_cloth(cloth)
@@ -71,73 +71,12 @@ class World:
         self._renew_rules()
         # for the engine: when the next event is due, from the epoch on; when it planned; its budget
         self.due, self.planned, self.allowed = inf, 0.0, 0
-
-    def __repr__(self) -> str:
-        return f"<World of {len(self._balls)} balls at t = {self.time!r} s>"
-
-    # -- what is in it -------------------------------------------------------------------------
-
-    def add(self, thing: Thing) -> Thing:
-        """Put a ball, a wall, a post or a pocket into the world; returns it."""
-        self._refuse_laws("add")
-        if isinstance(thing, Ball):
-            self._add_ball(thing)
-        elif isinstance(thing, Obstacle):
-            check_room(thing, self._walls)
-            self._walls.append(thing)
-            self.scene.walls.append(thing.shape)
-            self._renew_rules()
-        else:
-            raise ValueError(f"a world takes a Ball or a Wall, Post or Pocket, not {thing!r}")
-        self._clock.moved = True
-        self._disturb()
-        return thing
-
-    def _add_ball(self, ball: Ball) -> None:
-        if ball.name in self._index:
-            raise ValueError(f"there is a ball {ball.name!r} already")
-        n = len(self._balls) + 1
-        body = ball.join(self._clock, self._table)
-        if self._discs:
-            body.lift = 0.0
-        self._index[ball.name] = n - 1
-        self._balls.append(ball)
-        self.scene.balls.append(body)
-        self.log.register(ball.name, ball.mass)
-        table = [inf] * (n * n) if n <= FEW else []
-        self._clock.settle(ball.radius, first=n == 1)
-        self.scene = self.scene._replace(
-            cloth=self._clock.cloth, meetings=table, ties=no_ties(n), celled=False, grid=no_grid(n)
-        )
-
-    @property
-    def balls(self) -> tuple[Ball, ...]:
-        """In the order in which they were added."""
-        return tuple(self._balls)
-
-    @property
-    def walls(self) -> tuple[Obstacle, ...]:
-        """In the order in which they were added."""
-        return tuple(self._walls)
-
-    def ball(self, ball: "Ball | str") -> Ball:
-        """This world's ball of that name (or of that ball's name); ValueError if it has none."""
-        name = ball.name if isinstance(ball, Ball) else ball
-        if name not in self._index:
-            raise ValueError(f"there is no ball {name!r} in this world")
-        return self._balls[self._index[name]]
+        for wall in walls:
+            self.add(wall)
+        for ball in balls:
+            self.add(ball)
 
     # -- how it works --------------------------------------------------------------------------
-
-    @property
-    def discs(self) -> bool:
-        """Are its balls flat?  Radii r and R then touch r + R apart, else 2 √(r R)."""
-        return self._discs
-
-    @property
-    def table(self) -> Any:
-        """The `tables.Table` it stands on, with its spots and racks, or None."""
-        return self._table
 
     @property
     def cloth(self) -> Cloth:

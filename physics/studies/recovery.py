@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from physics.checks import array, finite, positive
 from physics.cloth import Cloth
+from physics.kernel.motion import length
+from physics.shot import Shot, heading
 
 if TYPE_CHECKING:
     import numpy as np
@@ -50,6 +52,18 @@ class Recovered(NamedTuple):
     slip: Array
     covariance: Array
     misfit: float
+
+    def shot(self, side: float = 0.0) -> Shot:
+        """The shot that sets a ball off like that.
+
+        side: m/s; no path shows it. ValueError for a ball that rests or slides to the last sample.
+        """
+        if self.phase == "sliding":
+            raise ValueError("the ball slides to the last sample: its spin is not known")
+        velocity, roll = complex(*self.velocity), complex(*(self.velocity - self.slip))
+        speed = length(velocity)
+        ahead = roll * velocity.conjugate() / positive("recovered speed", speed)
+        return Shot(speed, heading(velocity), ahead.real, 0.0 - ahead.imag, side)
 
 
 def recover(

@@ -1,10 +1,11 @@
 """The cue model: published checks S1, S3 and S4, and what must hold for every stroke."""
 
-from math import cos, radians, sin, sqrt
+from dataclasses import astuple, replace
+from math import cos, radians, sin, sqrt, tan
 
 import pytest
 
-from physics import Ball, CueStroke, tables
+from physics import Ball, CueStroke, Shot, tables
 from tests.support.published import CHECKS
 
 WHITE = Ball("white", at=(0.0, 0.0), mass=0.21, radius=0.03075)
@@ -111,3 +112,71 @@ def test_a_bad_stroke_is_refused_by_name(name, value):
 def test_no_zero_of_a_stroke_shows_a_sign(side):
     shot = CueStroke(2.0, side=side, height=0.2).shot(WHITE)
     assert "-0.0" not in repr(shot)
+
+
+# -- as one sees it along a raised cue, and back from a shot ---------------------------------------
+
+
+@pytest.mark.parametrize("elevation", [0.0, 20.0, 55.0, 85.0])
+@pytest.mark.parametrize(("right", "up"), [(0.0, 0.0), (0.3, 0.05), (-0.2, -0.4), (0.45, 0.0)])
+def test_a_tip_seen_along_the_cue_is_where_the_cue_meets_the_ball(elevation, right, up):
+    stroke = CueStroke.along(3.0, 10.0, right, up, elevation)
+    assert stroke.seen == pytest.approx((right, up), abs=1e-14)
+    assert stroke.offset == pytest.approx(sqrt(right**2 + up**2), abs=1e-14)
+    # the point on the sphere, ahead, left and upward, by turning the view back to the cloth's level
+    tilt, back = radians(elevation), sqrt(1.0 - right**2 - up**2)
+    spot = -back * cos(tilt) + up * sin(tilt), -right, back * sin(tilt) + up * cos(tilt)
+    level = -sqrt(1.0 - stroke.side**2 - stroke.height**2), -stroke.side, stroke.height
+    assert level[1:] == pytest.approx(spot[1:], abs=1e-14)
+    assert level[0] == pytest.approx(spot[0], abs=1e-12)
+
+
+def test_a_tip_beyond_the_top_of_the_ball_is_refused():
+    with pytest.raises(ValueError, match=r"up 0\.1: a cue raised by 85\.0° meets the ball beyond"):
+        CueStroke.along(3.0, right=0.3, up=0.1, elevation=85.0)
+
+
+def test_a_tip_beside_the_ball_is_refused_as_seen_along_the_cue():
+    with pytest.raises(ValueError, match=r"right and up, 0\.8 and 0\.7, miss the ball"):
+        CueStroke.along(3.0, right=0.8, up=0.7)
+
+
+STROKES = [
+    CueStroke(3.0), CueStroke(2.0, 200.0, side=-0.4, height=0.2), CueStroke(5.0, height=-0.5),
+    CueStroke.along(3.0, 40.0, 0.3, 0.1, 60.0), CueStroke.along(2.0, 0.0, -0.2, -0.4, 30.0),
+    CueStroke.along(2.0, 90.0, 0.2, -0.2, 80.0, cue_mass=0.6, restitution=0.8, end_ratio=50.0),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("stroke", STROKES, ids=str)
+def test_a_stroke_is_found_from_the_shot_that_it_makes(stroke):
+    cue = {name: getattr(stroke, name) for name in ("cue_mass", "restitution", "end_ratio")}
+    for shot in (stroke.shot(WHITE), stroke.jump(WHITE)):
+        found = CueStroke.of(shot, WHITE, **cue)
+        assert astuple(found) == pytest.approx(astuple(stroke), abs=1e-6)
+
+
+def test_a_jump_without_side_is_found_too():
+    stroke = CueStroke.along(4.0, 10.0, up=0.1, elevation=40.0)
+    assert astuple(CueStroke.of(stroke.jump(WHITE), WHITE)) == pytest.approx(astuple(stroke))
+
+
+@pytest.mark.parametrize("follow", [1.5, 0.0, -1.0])
+def test_a_shot_without_masse_is_played_with_a_level_cue_that_leaves_what_squirt_makes(follow):
+    shot = Shot(3.0, 30.0, follow=follow, side=0.75)
+    stroke = CueStroke.of(shot, WHITE)
+    assert stroke.elevation == pytest.approx(0.0, abs=1e-9)
+    made = stroke.shot(WHITE)
+    assert made.masse == pytest.approx(follow * tan(radians(stroke.squirt)), abs=1e-12)
+    assert astuple(replace(made, masse=0.0)) == pytest.approx(astuple(shot), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("shot", "words"),
+    [(Shot(2.0, masse=1.0), "no stroke"), (Shot(2.0, side=1.0, masse=-3.0), "no stroke"),
+     (Shot(2.0, climb=1.0), "no stroke"), (Shot(1.0, follow=2.4), "miscue"),
+     (Shot(1.0, side=3.0), "miss the ball")],
+)  # fmt: skip
+def test_a_shot_that_no_stroke_gives_is_refused(shot, words):
+    with pytest.raises(ValueError, match=words):
+        CueStroke.of(shot, WHITE)

@@ -1,11 +1,12 @@
 """The inverse problem: the strike found again from the path."""
 
 import math
+from dataclasses import astuple
 
 import numpy as np
 import pytest
 
-from physics import Ball, Cloth, World, recover, tables
+from physics import Ball, Cloth, Shot, World, recover, simulate, tables, trace
 
 R = 0.03275
 CLOTH = tables.MEASURED
@@ -130,3 +131,20 @@ def test_the_start_is_the_first_sample_unless_given():
 def test_what_cannot_be_a_path_is_refused(times, places, cloth, options, message):
     with pytest.raises(ValueError, match=message):
         recover(times, places, cloth, **options)
+
+
+def test_what_is_recovered_is_a_shot_again():
+    world = tables.match_carom()
+    white = world.add(Ball("white", at=(-1.0, -0.4)))
+    shot = Shot(1.2, 20.0, follow=-2.0, masse=1.5, side=0.3)
+    times, paths = trace(simulate(world, white, shot), times=[0.02 * k for k in range(40)])
+    found = recover(times, paths[:, 0], world.cloth, white.radius).shot(side=0.3)
+    assert astuple(found) == pytest.approx(astuple(shot), abs=1e-6)
+
+
+def test_a_ball_that_slides_to_the_last_sample_gives_no_shot():
+    world = tables.match_carom()
+    white = world.add(Ball("white", at=(-1.0, -0.4)))
+    times, paths = trace(simulate(world, white, Shot(3.0, 20.0, follow=-2.0)), 100.0)
+    with pytest.raises(ValueError, match="its spin is not known"):
+        recover(times[:20], paths[:20, 0], world.cloth, white.radius).shot()

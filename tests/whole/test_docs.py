@@ -1,6 +1,7 @@
 """What the docs show runs, and what they link to is there."""
 
 import doctest
+import importlib
 import re
 import runpy
 from pathlib import Path
@@ -31,6 +32,17 @@ def test_the_tour_runs(capsys):
 def test_the_examples_of_the_tables_are_what_they_say():
     failed, tried = doctest.testfile(str(DOCS / "tables.md"), module_relative=False)
     assert (failed, tried) == (0, 11)
+
+
+SHOWING = [p for p in SOURCES if "physics" in p.parts and ">>> " in p.read_text("utf-8")]
+
+
+@pytest.mark.parametrize("path", SHOWING, ids=lambda path: path.stem)
+def test_the_examples_in_a_docstring_are_what_they_say(path):
+    name = ".".join(path.relative_to(ROOT).with_suffix("").parts)
+    failed, tried = doctest.testmod(importlib.import_module(name))
+    assert failed == 0
+    assert tried > 0
 
 
 def test_the_readme_gives_the_two_commands_that_the_gate_uses():
