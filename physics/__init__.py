@@ -67,6 +67,6 @@ __all__ = [
     "EventBudgetError", "EventDriven", "Fit", "Leg", "Log", "Outcomes", "Placed", "Pocket", "Post",
     "Recovered", "Sensitivity", "Shot", "State", "StrokeFound", "TimeStepping", "Track", "Wall",
     "World", "aim", "direction", "fit", "heading", "heights", "laws", "ledger", "recover",
-    "recover_drawn", "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables", "trace",
-    "tracks",
+    "recover_drawn", "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables",
+    "trace", "tracks",
 ]  # fmt: skip
