@@ -6,13 +6,17 @@ Sources are in docs/tables.md, and for the carom tables in docs/accuracy.md.
 from typing import TYPE_CHECKING, Any
 
 from .carom_tables import (
+    CLOTH_EDITIONS,
     CLOTHS,
     MATCH_CAROM,
     MATCH_CAROM_2,
     MATCH_EDITIONS,
     MEASURED,
     MEDIUM_CAROM,
+    MEDIUM_CAROM_2,
+    MEDIUM_EDITIONS,
     THESIS,
+    USUAL,
     match_carom,
     medium_carom,
     thesis,
@@ -33,10 +37,10 @@ if TYPE_CHECKING:
     from .pockets import Mouth, Pockets
 
 __all__ = [
-    "CLOTHS", "MATCH_CAROM", "MATCH_CAROM_2", "MATCH_EDITIONS", "MEASURED", "MEDIUM_CAROM",
-    "PYRAMID_12FT", "SNOOKER_12FT", "THESIS", "Mouth", "Pockets", "Table", "match_carom",
-    "medium_carom", "pool", "pool_7ft", "pool_8ft", "pool_9ft", "pyramid_12ft", "snooker_12ft",
-    "thesis",
+    "CLOTHS", "CLOTH_EDITIONS", "MATCH_CAROM", "MATCH_CAROM_2", "MATCH_EDITIONS", "MEASURED",
+    "MEDIUM_CAROM", "MEDIUM_CAROM_2", "MEDIUM_EDITIONS", "PYRAMID_12FT", "SNOOKER_12FT", "THESIS",
+    "USUAL", "Mouth", "Pockets", "Table", "match_carom", "medium_carom", "pool", "pool_7ft",
+    "pool_8ft", "pool_9ft", "pyramid_12ft", "snooker_12ft", "thesis",
 ]  # fmt: skip
 
 

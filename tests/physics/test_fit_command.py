@@ -20,7 +20,7 @@ def film(tmp_path_factory):
 
 def arguments(path, *more):
     known = "cloth.spin_decay=4.3,ball.mu=0.05"
-    return ["fit", str(path), "--table", "match", "--set", known, *more]
+    return ["fit", str(path), "--table", "match1", "--set", known, *more]
 
 
 def test_tracks_come_back_from_their_file(film):
