@@ -46,7 +46,7 @@ def shots() -> Iterator[tuple[World, Shot]]:
     """150 shots at the first ball of a world: drawn, but by no function of a C library."""
     draw = Random(150).uniform
     carom, steep, rack = scenes.carom(), scenes.carom(), scenes.rack15()
-    match = tables.match_carom()
+    match = tables.match_carom(edition=1)
     steep.cushion_law = laws.MathavanCushion()
     rack.stop()
     for name, at in (("white", (-0.9, 0.1)), ("yellow", (0.5, 0.3)), ("red", (0.7, -0.4))):

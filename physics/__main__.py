@@ -22,8 +22,8 @@ from .studies.trace import trace
 from .world import World
 
 LAWS = {
-    "thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM,
-    "match2": tables.MATCH_CAROM_2,
+    "thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM_2,
+    "medium2": tables.MEDIUM_CAROM_2, "match1": tables.MATCH_CAROM, "match2": tables.MATCH_CAROM_2,
 }  # fmt: skip
 CUSHIONS = ("rigid", "mathavan")  # the game's sets of laws: with balls that rub
 STEP, RATE = 1 / 180, 60.0  # s of fixed steps, samples a second, where nothing is said

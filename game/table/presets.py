@@ -48,7 +48,7 @@ ENGINES: dict[str, Callable[[], Any]] = {
 }
 CLOTHS: dict[str, Cloth | None] = {
     "table": None,
-    **{key: tables.CLOTHS[key] for key in ("new", "worn", "humid")},
+    **{key: tables.CLOTH_EDITIONS[1][key] for key in ("new", "worn", "humid")},
 }
 """Conditions of the cloth; "table" is the one that a table comes with."""
 EDITIONS = (1, 2)

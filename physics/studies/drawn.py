@@ -182,7 +182,8 @@ class _Search:
                 break
             wide = SHAKE * _habits(best.numbers, self.given)[1]
             wide[1] = 0.0 if "angle" in self.given else SHAKEN_ANGLE
-            fit = self._descended(self._tried(best.numbers + wide * chance.normal(size=5)), SOON)
+            beside = self._tried(best.numbers + wide * chance.standard_normal(5))
+            fit = self._descended(beside, SOON)
             if fit.cost < best.cost:
                 best = fit = self._descended(fit, ROUNDS)
             if isfinite(fit.cost):

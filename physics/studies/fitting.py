@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from physics import tables
 from physics.ball import Ball
 from physics.checks import finite
-from physics.files import store
+from physics.tables import table_file
 from physics.world import World
 
 from . import tracks as files
@@ -36,6 +36,7 @@ def add_options(one: argparse.ArgumentParser, known: Mapping[str, tables.Table])
     one.add_argument("--noise", type=float, default=0.5, help="of a coordinate, mm (0.5)")
     one.add_argument("--hold", type=int, default=0, metavar="N", help="test on the last N tracks")
     one.add_argument("--preset", metavar="FILE", help="write the table that was found")
+    one.add_argument("--name", default="my table", help="of that table (my table)")
     one.add_argument("--png", metavar="FILE", help="write what is left over (needs matplotlib)")
 
 
@@ -53,8 +54,8 @@ def run(options: argparse.Namespace, table: tables.Table) -> Iterator[str]:
         yield f"held out, with these values: misfit {MM * tested.misfit:.2f} mm"
         yield from map(_stroke, tested.strokes)
     if options.preset:
-        store.save(preset(found.world), options.preset)
-        yield f"written to {options.preset}"
+        table_file.save(replace(table_file.of(found.world), name=options.name), options.preset)
+        yield f"written to {options.preset}: tables.load reads it"
     if options.png:
         from .residuals import draw
 
@@ -88,13 +89,6 @@ def _set(text: str, world: World) -> dict[str, float]:
         except ValueError:
             raise ValueError(f"--set {item!r}: {number!r} is no number") from None
     return found
-
-
-def preset(world: World) -> World:
-    """Its table without balls, with the cloth and laws that the world has now."""
-    laws = {name: getattr(world, name) for name in ("cloth", "ball_law", "cushion_law")}
-    empty: World = replace(world.table, **laws).world()
-    return empty
 
 
 def report(found: Fit, before: World, seen: Sequence[Track]) -> Iterator[str]:

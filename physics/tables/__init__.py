@@ -6,13 +6,17 @@ Sources are in docs/tables.md, and for the carom tables in docs/accuracy.md.
 from typing import TYPE_CHECKING, Any
 
 from .carom_tables import (
+    CLOTH_EDITIONS,
     CLOTHS,
     MATCH_CAROM,
     MATCH_CAROM_2,
     MATCH_EDITIONS,
     MEASURED,
     MEDIUM_CAROM,
+    MEDIUM_CAROM_2,
+    MEDIUM_EDITIONS,
     THESIS,
+    USUAL,
     match_carom,
     medium_carom,
     thesis,
@@ -31,20 +35,22 @@ if TYPE_CHECKING:
         snooker_12ft,
     )
     from .pockets import Mouth, Pockets
+    from .table_file import load, save
 
 __all__ = [
-    "CLOTHS", "MATCH_CAROM", "MATCH_CAROM_2", "MATCH_EDITIONS", "MEASURED", "MEDIUM_CAROM",
-    "PYRAMID_12FT", "SNOOKER_12FT", "THESIS", "Mouth", "Pockets", "Table", "match_carom",
-    "medium_carom", "pool", "pool_7ft", "pool_8ft", "pool_9ft", "pyramid_12ft", "snooker_12ft",
-    "thesis",
+    "CLOTHS", "CLOTH_EDITIONS", "MATCH_CAROM", "MATCH_CAROM_2", "MATCH_EDITIONS", "MEASURED",
+    "MEDIUM_CAROM", "MEDIUM_CAROM_2", "MEDIUM_EDITIONS", "PYRAMID_12FT", "SNOOKER_12FT", "THESIS",
+    "USUAL", "Mouth", "Pockets", "Table", "load", "match_carom", "medium_carom", "pool", "pool_7ft",
+    "pool_8ft", "pool_9ft", "pyramid_12ft", "save", "snooker_12ft", "thesis",
 ]  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:
-    if name in __all__:  # what has to do with pockets is imported on first use
-        from . import pocket_tables, pockets
+    if name in __all__:  # what has to do with pockets or files is imported on first use
+        from . import pocket_tables, pockets, table_file
 
-        return getattr(pockets if name in ("Mouth", "Pockets") else pocket_tables, name)
+        homes = {"Mouth": pockets, "Pockets": pockets, "load": table_file, "save": table_file}
+        return getattr(homes.get(name, pocket_tables), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

@@ -6,13 +6,12 @@ Coefficients are the usual values of their ranges: nobody has published a fit to
 from physics import laws
 from physics.world import World
 
-from .carom_tables import CLOTHS
+from .carom_tables import USUAL
 from .pockets import Mouth, Pockets
 from .table import Table
 
 INCH = 0.0254
 LENGTHS = {9: 100.0, 8: 92.0, 7: 78.0}  # inches; for 7 ft the WPA has none
-WORN = CLOTHS["worn"]
 # the WPA's, in the middle of what it allows; the holes' radii are Alciatore's (TP 3.5, TP 3.6)
 CORNER = Mouth(width=4.5625 * INCH, facing=7.0, shelf=1.625 * INCH, hole=2.75 * INCH)
 SIDE = Mouth(width=5.0625 * INCH, facing=14.0, shelf=0.1875 * INCH, hole=3.0 * INCH)
@@ -41,14 +40,15 @@ def pool(
     corner = Mouth(corner_mouth, facing, shelf, CORNER.hole)
     side = Mouth(side_mouth, side_facing, side_shelf, SIDE.hole)
     return Table(
-        length, 0.5 * length, 1.125 * INCH, 0.163, WORN, laws.RoughBall(), _cushion(1.27),
+        length, 0.5 * length, 1.125 * INCH, 0.163, USUAL, laws.RoughBall(), _cushion(1.27),
         f"pool {feet} ft", "pool", Pockets(corner, side),
     )  # fmt: skip
 
 
 # The pockets are approximate, those of pooltool's generic table: the templates are secret.
 SNOOKER_12FT = Table(
-    3.569, 1.778, 0.02625, 0.142, WORN, laws.RoughBall(), _cushion(1.4), "snooker 12 ft", "snooker",
+    3.569, 1.778, 0.02625, 0.142, USUAL, laws.RoughBall(), _cushion(1.4), "snooker 12 ft",
+    "snooker",
     Pockets(
         Mouth(width=0.083, facing=0.0, shelf=0.036, hole=0.043, rounding=0.09144),
         Mouth(width=0.075, facing=0.0, shelf=0.02413, hole=0.042672, rounding=0.0635),
@@ -57,7 +57,7 @@ SNOOKER_12FT = Table(
 
 # Of the holes only where they begin is known.
 PYRAMID_12FT = Table(
-    3.55, 1.775, 0.034125, 0.255, WORN, laws.RoughBall(), _cushion(0.042 / 0.034125),
+    3.55, 1.775, 0.034125, 0.255, USUAL, laws.RoughBall(), _cushion(0.042 / 0.034125),
     "pyramid 12 ft", "pyramid",
     Pockets(
         Mouth(width=0.0725, facing=0.0, shelf=0.0076, hole=0.04, rounding=0.005),

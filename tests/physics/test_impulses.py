@@ -50,7 +50,7 @@ def test_from_the_push_follows_the_force_of_a_rigid_nose_which_lies_above_the_ce
     law = tables.MATCH_CAROM.cushion_law
     s = law.nose - 1.0
     c = sqrt(1.0 - s * s)
-    hit = first("cushion")
+    hit = first("cushion", law)
     _, roll = change(hit)
     inward = -roll.imag  # north: into the table is -y
     force = (hit.push - 0.4 * s * MASS * inward) / c

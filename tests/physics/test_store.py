@@ -364,3 +364,30 @@ def test_the_table_and_the_csv_file_hold_the_whole_ledger(tmp_path):
     assert [row["wall"] for row in rows] == [entry.wall for entry in entries]
     assert len(ledger.table(World().log)) == 0
     assert inf not in array["time"]
+
+
+def test_a_table_comes_back_from_its_file_and_from_that_of_a_world(tmp_path):
+    path = tmp_path / "table.json"
+    for table in (tables.MATCH_CAROM_2, tables.MEDIUM_CAROM_2, tables.pool(9), tables.THESIS):
+        tables.save(table, path)
+        assert tables.load(path) == table
+    world = tables.match_carom()
+    world.add(Ball("white", at=(0.0, 0.0)))
+    world.cloth = world.cloth.rolling(lambda v: 0.04 + 0.0125 * v)
+    store.save(world, path)
+    assert tables.load(path) == replace(tables.MATCH_CAROM_2, cloth=world.cloth)
+
+
+def test_a_file_without_a_table_is_refused_by_its_name(tmp_path):
+    path = tmp_path / "table.json"
+    for thing in (World(), Shot(1.0)):
+        store.save(thing, path)
+        with pytest.raises(ValueError, match=r"table.json: there is no table in it"):
+            tables.load(path)
+    path.write_text("{")
+    with pytest.raises(ValueError, match=r"table.json: not JSON"):
+        tables.load(path)
+    with pytest.raises(ValueError, match=r"tables.save takes a Table"):
+        tables.save(World(), path)
+    with pytest.raises(FileNotFoundError):
+        tables.load(tmp_path / "none.json")

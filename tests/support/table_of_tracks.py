@@ -26,7 +26,7 @@ class Case(NamedTuple):
 
 
 def table(slide: float, roll: float, e: float, mu: float, *places: complex) -> World:
-    world = tables.match_carom()
+    world = tables.match_carom(edition=1)
     world.cloth = replace(world.cloth, slide=slide, roll=roll, spin_decay=4.3)
     world.cushion_law = laws.RigidCushion(e, mu, NOSE)
     world.ball_law = laws.RoughBall(0.946, 0.05)

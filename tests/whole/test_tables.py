@@ -1,5 +1,8 @@
 """The presets: sizes, balls, laws and cloths of the tables there are."""
 
+import itertools
+from dataclasses import replace
+
 import pytest
 
 from game.table import presets
@@ -51,11 +54,41 @@ def test_the_carom_tables_are_within_their_specifications(preset, size, diameter
     assert (preset.ball_law.e, preset.ball_law.mu) == (0.946, "alciatore")
 
 
-def test_cloths_stay_within_the_published_ranges():
-    for cloth in tables.CLOTHS.values():
+@pytest.mark.parametrize(("edition", "least"), [(1, 5.0), (2, 3.0)])
+def test_cloths_stay_within_what_is_published_and_measured(edition, least):
+    for cloth in tables.CLOTH_EDITIONS[edition].values():
         assert 0.15 <= cloth.slide <= 0.4
         assert 0.004 <= cloth.roll <= 0.015  # 0.0402 m/s² / g, measured at rest, is 0.0041
-        assert 5.0 <= cloth.spin_decay <= 15.0
+        # published are 5 to 15, but 4.3 is measured, on a cloth that is no longer new
+        assert least <= cloth.spin_decay <= 15.0
+
+
+@pytest.mark.parametrize("name", ["slide", "roll", "spin_decay"])
+def test_in_all_coefficients_a_cloth_is_beyond_the_one_in_better_condition(name):
+    found = [getattr(cloth, name) for cloth in tables.CLOTHS.values()]
+    assert all(a < b for a, b in itertools.pairwise(found))
+
+
+def test_side_lasts_longest_on_a_new_cloth_and_shortest_on_a_damp_one():
+    """What is left of it at the far rail."""
+    left = []
+    for cloth in tables.CLOTHS.values():
+        world = tables.match_carom()
+        world.cloth = cloth
+        white = world.add(Ball("white", at=(-1.2, 0.0)))
+        hit = next(e for e in simulate(world, white, Shot(3.0, side=3.0)).log if e.wall == "east")
+        left.append(hit.before[0].spin[2])
+    assert left == sorted(left, reverse=True)
+    assert left[0] > left[-1] + 5.0
+
+
+def test_the_first_edition_of_cloths_never_changes():
+    """Records of games are played on them."""
+    first = tables.CLOTH_EDITIONS[1]
+    assert {name: (c.slide, c.roll, c.spin_decay, c.gravity) for name, c in first.items()} == {
+        "new": (0.15, 0.004, 5.0, 9.81), "measured": (0.212, 0.0045, 10.0, 9.81),
+        "worn": (0.2, 0.01, 10.0, 9.81), "humid": (0.4, 0.015, 15.0, 9.81),
+    }  # fmt: skip
 
 
 def test_a_ball_runs_farther_on_new_cloth_and_draws_better():
@@ -90,10 +123,10 @@ def test_cloths_stand_in_the_order_in_which_a_ball_runs_farthest(shot):
         after = simulate(world, "white", shot)
         far.append(after.ball("white").position[0])
         long.append(after.time)
-    assert [*tables.CLOTHS] == ["new", "measured", "worn", "humid"]
+    assert [*tables.CLOTHS] == ["new", "measured", "hall", "worn", "humid"]
     assert far == sorted(far, reverse=True)
     assert long == sorted(long, reverse=True)
-    assert len({*far}) == len({*long}) == 4
+    assert len({*far}) == len({*long}) == 5
 
 
 @pytest.mark.parametrize("preset", [tables.MEDIUM_CAROM, tables.MATCH_CAROM])
@@ -118,11 +151,28 @@ def test_an_edition_of_the_match_table_never_changes():
         Cloth(0.212, 0.0045, 4.3, 9.81), laws.RoughBall(0.946, 0.05),
         laws.RigidCushion(0.871, 0.269, 0.037 / 0.03075, e_slope=-0.051),
     )  # fmt: skip
-    assert tables.match_carom().cushion_law == first.cushion_law
     assert first.walls == second.walls
+
+
+def test_without_an_edition_the_match_table_is_the_one_nearest_to_real_strokes():
+    """The medium one is that of before: of its second edition nothing has been measured."""
+    assert tables.match_carom().table is tables.MATCH_CAROM_2
+    assert tables.medium_carom().table is tables.MEDIUM_CAROM
+
+
+def test_a_medium_table_of_a_hall_has_its_cloth_and_the_laws_that_were_measured():
+    first, hall = (tables.medium_carom(edition) for edition in (1, 2))
+    assert hall.cloth is tables.CLOTHS["hall"]
+    assert hall.cushion_law == replace(
+        tables.MATCH_CAROM_2.cushion_law, nose=first.cushion_law.nose
+    )
+    assert hall.ball_law == tables.MATCH_CAROM_2.ball_law
+    assert first.walls == hall.walls
 
 
 @pytest.mark.parametrize("edition", [0, 3, "2"])
 def test_an_edition_that_there_is_not_is_refused(edition):
     with pytest.raises(ValueError, match=f"edition must be one of 1, 2, not {edition!r}"):
         tables.match_carom(edition)
+    with pytest.raises(ValueError, match=f"medium_carom edition must be .*, not {edition!r}"):
+        tables.medium_carom(edition)
