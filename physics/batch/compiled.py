@@ -179,12 +179,12 @@ def _kernel() -> ModuleType:
     folder = _opened(wanted) if wanted else None
     if folder is None:
         log.warning(
-            "compiling the kernel for this process alone, which takes about 15 seconds: %s",
+            "compiling the kernel for this process alone, which takes about 20 seconds: %s",
             f"cannot write to {wanted}" if wanted else "there is no home to keep it in",
         )
         return _built(None)
     if not any(folder.glob(DONE)):
-        log.warning("compiling the kernel for %s, this once: it takes about 15 seconds", folder)
+        log.warning("compiling the kernel for %s, this once: it takes about 20 seconds", folder)
     try:
         return _built(folder)
     except Exception as error:  # broken files may raise anything, a full disk an OSError
