@@ -40,7 +40,10 @@ HALO = rgb("#030E1A")
 LILAC = rgb("#CDB8FF")
 """What the computer intends: no ball and no state of the interface has this colour."""
 
-CLOTHS = {"blue": rgb("#1B6292"), "green": rgb("#17694B")}
+CLOTHS = {
+    "blue": rgb("#1B6292"), "green": rgb("#17694B"), "pool": rgb("#1E6B9F"),
+    "snooker": rgb("#1B6D3F"), "pyramid": rgb("#1B6D3F"),
+}  # fmt: skip
 WOOD = rgb("#5C3B27")
 DIAMOND = rgb("#E9E2D2")
 DIAMOND_SHADE = rgb("#C9BFAA")
@@ -67,6 +70,8 @@ class BallLook:
     banded  that coordinate is the distance from the equator plane, so intervals are bands; without,
             it is the largest of the three distances, so an interval that ends at 1 is six dots
     dashes  of its traces, px at s = 1: on, off, ...; empty is solid
+    number  on two discs in `mark`, which take the place of the marks
+    striped is a ball with a number also white above and below a band?
     """
 
     body: Colour
@@ -76,6 +81,8 @@ class BallLook:
     marks: tuple[tuple[float, float], ...] = ((cos(0.30), 1.1),)
     banded: bool = False
     dashes: tuple[float, ...] = field(default=())
+    number: str = ""
+    striped: bool = False
 
 
 BALLS = {

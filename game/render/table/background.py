@@ -12,9 +12,12 @@ from numpy.typing import NDArray
 from game.render.arrays import Bytes, Floats, Points
 from game.render.layout import BORDER, CUSHION, Layout
 from game.render.theme import BACKGROUND, CLOTHS, Colour, mix
+from physics import tables
 
 from . import bed as cloths
-from . import lines, rails
+from . import chalk, lines, obstacles, rails
+from .finish import FINISHES, Finish
+from .patches import cut
 
 SHADOW = 8
 """Width of the table's shadow on the floor, px at s = 1: less than the gap to a focus ring."""
@@ -22,21 +25,39 @@ SIDES = ((1.10, 11), (0.96, 23), (1.02, 37), (1.05, 41))
 """Light on the far, near, left and right cushion, and a seed for each board's grain."""
 
 
-def background(layout: Layout, cloth: str = "blue", walls: Sequence[Points] = ()) -> pygame.Surface:
+def background(
+    layout: Layout,
+    cloth: str = "blue",
+    walls: Sequence[Points] = (),
+    table: tables.Table | None = None,
+    things: Sequence[obstacles.Thing] = (),
+) -> pygame.Surface:
     """Return the window without cards and balls.
 
     `cloth` is a key of `theme.CLOTHS`.  `walls` are walls inside the bed, each a line of points in
-    metres, drawn as strips of cushion.
+    metres, drawn as strips of cushion.  `table` says what its rails, pockets and lines are; without
+    one they are a carom table's.  `things` stand or gape somewhere else.
     """
     surface = pygame.Surface(layout.size, 0, 32)
     surface.fill(BACKGROUND)
-    colour = CLOTHS[cloth]
+    kind = "carom" if table is None else table.kind
+    finish = FINISHES[kind]
+    pockets = table is not None and table.pockets is not None
+    colour = CLOTHS[cloth if kind == "carom" else finish.cloth]
     _floor_shadow(surface, layout)
-    _borders(surface, layout, _framed(surface, layout, colour))
-    _toned(surface, layout.bed, cloths.bed(layout), colour)
-    _spots(surface, layout, colour)
+    _borders(surface, layout, _framed(surface, layout, colour, finish, pockets))
+    nap = cloths.texture(layout, *layout.bed.size)
+    _toned(surface, layout.bed, cloths.bed(layout, nap), colour)
+    if table is None or kind == "carom":
+        _spots(surface, layout, colour)
+    else:
+        chalk.draw(surface, layout, table, colour)
+    if table is not None and pockets:
+        cut(surface, layout, table, nap)
     for wall in walls:
-        _wall(surface, layout, wall, colour)
+        obstacles.strip(surface, layout, wall, colour)
+    for thing in things:
+        obstacles.draw(surface, layout, thing, colour)
     return surface
 
 
@@ -81,7 +102,9 @@ def _sides(depth: int) -> list[tuple[slice, slice]]:
     return [(every, first), (every, last), (first, every), (last, every)]
 
 
-def _framed(surface: pygame.Surface, layout: Layout, colour: Colour) -> Floats:
+def _framed(
+    surface: pygame.Surface, layout: Layout, colour: Colour, finish: Finish, pockets: bool
+) -> Floats:
     """Return the table's rectangle (width, height, 3) without its bed."""
     box = layout.table
     picture = np.zeros((box.w, box.h, 3), np.float32)
@@ -93,7 +116,8 @@ def _framed(surface: pygame.Surface, layout: Layout, colour: Colour) -> Floats:
     for strip, target in ((left, picture[:depth]), (right, picture[::-1][:depth])):
         target += (strip[:, :depth].transpose(1, 0, 2) - target) * mitre
     _joints(picture, layout, depth)
-    rails.inlay(picture, layout, box.x, box.y)
+    if finish.diamonds:
+        rails.inlay(picture, layout, box.x, box.y, pockets=pockets)
     floor = pygame.surfarray.pixels3d(surface)[box.x : box.right, box.y : box.bottom]
     _round(picture, floor, layout)
     return picture
@@ -162,14 +186,3 @@ def _spots(surface: pygame.Surface, layout: Layout, colour: Colour) -> None:
         lines.dot(
             surface, centre, max(1.1, 0.0045 * layout.scale), mix(colour, (0, 0, 0), 0.6), 0.7
         )
-
-
-def _wall(surface: pygame.Surface, layout: Layout, wall: Points, colour: Colour) -> None:
-    """Draw a wall inside the bed: its shadow, its cloth and its lit nose."""
-    points = [layout.to_screen(*p) for p in wall]
-    width = 0.016 * layout.scale
-    below = [(x, y + 0.010 * layout.scale) for x, y in points]
-    lines.polyline(surface, below, (0, 0, 0), width, 0.40, soft=0.012 * layout.scale)
-    for share, light in ((1.0, 0.55), (0.72, 1.12), (0.25, 1.30)):
-        tone = mix((0, 0, 0), colour, light)
-        lines.polyline(surface, points, tone, width * share, soft=max(0.5, width * 0.04))

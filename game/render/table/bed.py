@@ -10,9 +10,15 @@ from game.render.layout import CUSHION, Layout
 
 
 def lamp(x: Floats, y: Floats, layout: Layout) -> Floats:
-    """Return the light (len(x), len(y)) at table points in metres, at most 1.
+    """Return the light (len(x), len(y)) at table points in metres, 1 where it is brightest."""
+    total = lamps(x, y, layout)
+    return np.asarray(total / total.max(), np.float32)
 
-    Two lamps hang above the long axis at +-0.27 of the length.
+
+def lamps(x: Floats, y: Floats, layout: Layout) -> Floats:
+    """Return the light (len(x), len(y)) of two lamps above the long axis, at +-0.27 of the length.
+
+    Its unit is that of one lamp straight below it.
     """
     across = 1 + (y / (0.62 * layout.width)) ** 2
     total = np.zeros((len(x), len(y)), np.float32)
@@ -20,7 +26,7 @@ def lamp(x: Floats, y: Floats, layout: Layout) -> Floats:
         along = ((x - side * layout.length) / (0.42 * layout.length)) ** 2
         reach = np.add.outer(along, across)
         total += 1 / (reach * np.sqrt(np.sqrt(reach)))
-    return np.asarray(total / total.max(), np.float32)
+    return total
 
 
 def axes(layout: Layout, left: int, top: int, width: int, height: int) -> tuple[Floats, Floats]:
@@ -31,20 +37,23 @@ def axes(layout: Layout, left: int, top: int, width: int, height: int) -> tuple[
     return x.astype(np.float32), y.astype(np.float32)
 
 
-def _shade(distance: Floats) -> Floats:
+def shade(distance: Floats) -> Floats:
     """Return the light left at a distance (m) from one nose: its shadow is sharp, then wide."""
     d = distance.clip(0, None)
     return np.asarray(1 - 0.42 * np.exp(-d / 0.010) - 0.16 * np.exp(-d / 0.045), np.float32)
 
 
-def bed(layout: Layout) -> Floats:
-    """Return the light (width, height) on `layout.bed`: 1 gives the cloth its own colour."""
+def bed(layout: Layout, nap: Floats) -> Floats:
+    """Return the light (width, height) on `layout.bed`: 1 gives the cloth its own colour.
+
+    nap: its `texture`.
+    """
     box = layout.bed
     x, y = axes(layout, *box)
     light = 0.60 + 0.49 * lamp(x, y, layout)
-    light *= (_shade(layout.length / 2 - np.abs(x)))[:, None]
-    light *= _shade(layout.width / 2 - y) * (0.22 + 0.78 * _shade(y + layout.width / 2))
-    light *= 1 + texture(layout, box.w, box.h)
+    light *= (shade(layout.length / 2 - np.abs(x)))[:, None]
+    light *= shade(layout.width / 2 - y) * (0.22 + 0.78 * shade(y + layout.width / 2))
+    light *= 1 + nap
     return np.asarray(light, np.float32)
 
 

@@ -16,14 +16,20 @@ LAMPS = ((0.62, 0.42, 0.95), (-0.62, 0.42, 0.95))
 GAMMA = 2.2
 
 
-def normals(side: int, radius: float, centre: float) -> tuple[Floats, Floats]:
+def normals(
+    side: int, radius: float, centre: float, half: tuple[int, int] = (0, 0)
+) -> tuple[Floats, Floats]:
     """Return the outward normals (3, side, side) and coverage (side, side) of a disc.
+
+    `half` moves its centre by so many halves of a pixel to the right and down.
 
     Axes: x right, y up, z to the viewer.  Pixels outside the disc take the normal at the rim, so
     that averaging with them leaves the edge clean.
     """
-    axis = (np.arange(side, dtype=np.float32) + 0.5 - centre) / radius
-    x, y = np.meshgrid(axis, -axis, indexing="ij")
+    right, down = (
+        (np.arange(side, dtype=np.float32) + 0.5 - centre - h / 2) / radius for h in half
+    )
+    x, y = np.meshgrid(right, -down, indexing="ij")
     away = np.hypot(x, y)
     reach = np.maximum(away, 1e-6)
     shrink = np.minimum(1.0, 0.995 / reach)

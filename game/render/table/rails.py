@@ -54,18 +54,27 @@ def board(layout: Layout, count: int, away: Floats, seed: int) -> Floats:
     )
 
 
-def diamond_places(layout: Layout) -> list[tuple[float, float, bool]]:
-    """Return the diamonds' centres (m) and whether each lies on a long rail."""
+def diamond_places(layout: Layout, *, pockets: bool = False) -> list[tuple[float, float, bool]]:
+    """Return the diamonds' centres (m) and whether each lies on a long rail.
+
+    With pockets there is none at the middle of a long rail.
+    """
     middle = CUSHION + WOOD_WIDTH / 2
     x, y = layout.length / 2 + middle, layout.width / 2 + middle
-    long = [(i * layout.length / 8, side * y, True) for i in range(-3, 4) for side in (-1, 1)]
+    long = [(i * layout.length / 8, side * y, True) for i in _eighths(pockets) for side in (-1, 1)]
     short = [(side * x, i * layout.width / 4, False) for i in (-1, 0, 1) for side in (-1, 1)]
     return long + short
 
 
-def inlay(picture: Floats, layout: Layout, left: int, top: int) -> None:
+def _eighths(pockets: bool) -> list[int]:
+    return [i for i in range(-3, 4) if i or not pockets]
+
+
+def inlay(
+    picture: Floats, layout: Layout, left: int, top: int, *, pockets: bool = False
+) -> None:
     """Lay the diamonds into `picture` (width, height, 3), whose corner is the pixel (left, top)."""
-    for x, y, long in diamond_places(layout):
+    for x, y, long in diamond_places(layout, pockets=pockets):
         px, py = layout.to_screen(x, y)
         half = (0.0090 * layout.scale, 0.0145 * layout.scale)
         _diamond(picture, px - left, py - top, half if long else half[::-1], layout.s)

@@ -52,3 +52,27 @@ def matrix(q: Quaternion) -> Floats:
         ),
         np.float32,
     )
+
+
+UPRIGHT: Quaternion = (0.5, -0.5, -0.5, -0.5)
+"""The own x axis to the viewer, the own z axis up: a number is read as it is printed."""
+
+
+def resting(number: int) -> Quaternion:
+    """Return how a ball lies whose number is to be read: a little below the middle, where no lamp
+    shines on it, and none quite like its neighbour."""
+    jitter = (number * 0.618034) % 1.0, (number * 0.414214) % 1.0
+    tilt, way, roll = 0.17 + 0.13 * jitter[0], -1.5708 + 1.2 * (jitter[1] - 0.5), jitter[0] - 0.5
+    upright = rotated(UPRIGHT, (0.0, 0.0, 0.4 * roll), 1.0)
+    return rotated(upright, (-sin(way), cos(way), 0.0), tilt)
+
+
+def other_end(q: Quaternion) -> Quaternion:
+    """Return `q` with the ball's other number where the first one is."""
+    a, b, c, d = q
+    return -d, c, -b, a
+
+
+def between(p: Quaternion, q: Quaternion) -> float:
+    """Return the cosine of half the angle by which two orientations differ."""
+    return abs(sum(x * y for x, y in zip(p, q, strict=True)))

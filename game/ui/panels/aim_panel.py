@@ -19,7 +19,7 @@ from game.session.action import Action
 from game.settings.settings import CHOICES
 from game.ui.sight import Place, Sight
 from game.ui.table.drag_aim import stepped
-from game.ui.table.looks import look
+from game.ui.table.looks import kind_of, look
 
 from .parts import Panel, number
 
@@ -145,7 +145,8 @@ def thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> 
     if contact is None:
         return _nothing_met(surface, rect, sight)
     names = [ball.name for ball in session.world.balls]
-    colour = look(contact.ball, names.index(contact.ball), sight.settings.colours).ui
+    place, kind = names.index(contact.ball), kind_of(session.world)
+    colour = look(contact.ball, place, sight.settings.colours, kind).ui
     items = [(eighths(contact.overlap), w["thickness.cut"].format(angle=number(contact.cut, 1)))]
     if (share_made := sight.spread.share) is not None:
         items.append((f"{round(100 * share_made)} %", w["spread.made"].format(angle=ANGLE)))

@@ -18,7 +18,7 @@ from game.session.ticks import TICKS
 from game.text import LANGUAGES
 from game.ui.sight import Place, Sight
 from game.ui.table import drag_aim, place_balls
-from game.ui.table.looks import ball_words, look
+from game.ui.table.looks import ball_words, looks_of
 
 from . import aim_panel, score_plates, time_strip
 from .parts import Panel, number
@@ -106,7 +106,7 @@ def log_rows(
 ) -> list[cards.LogRow]:
     """The events of the shot that matter to a player; `hit` is the key for balls that meet."""
     names = [ball.name for ball in session.world.balls]
-    colour = {name: look(name, i, colours) for i, name in enumerate(names)}
+    colour = dict(zip(names, looks_of(session.world, colours), strict=True))
 
     def dots(balls: tuple[str, ...]) -> tuple[tuple[tuple[int, int, int], str], ...]:
         return tuple((colour[b].ui, colour[b].letter) for b in balls)

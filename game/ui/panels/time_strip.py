@@ -13,7 +13,7 @@ from game.render.parts import lanes
 from game.session.action import Action
 from game.session.ticks import TICKS
 from game.ui.sight import Place, Sight
-from game.ui.table.looks import look
+from game.ui.table.looks import kind_of, look
 
 from .parts import Panel, number
 
@@ -110,7 +110,7 @@ def _lanes(sight: Sight, found: Story) -> list[lanes.Lane]:
             if other != name and other in names
         )
         marks = {k: tuple(e.time for e in own if e.kind == k) for k in ("cushion", "rest")}
-        ink = look(name, place, colours).ui
+        ink = look(name, place, colours, kind_of(session.world)).ui
         lane = lanes.Lane(ink, legs, marks["cushion"], tuple(joins), marks["rest"])
         result.append(lane)
     return result

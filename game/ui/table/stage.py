@@ -10,15 +10,16 @@ import pygame
 from game.aim.spread import SAMPLES, Spread
 from game.render.layout import Layout
 from game.render.table import cue_stick, lines
-from game.render.table.background import background
-from game.render.table.balls import BallSprites
+from game.render.table.balls import BallSprites, Spot
 from game.render.table.fan import Fan
+from game.render.table.finish import FINISHES
 from game.session.session import Session
 from game.settings.settings import Settings
 
 from . import marks
 from .cue_pose import Pose, pose
-from .looks import look
+from .furniture import furnished
+from .looks import kind_of, looks_of
 from .orientations import Orientations
 from .trail import Trail
 
@@ -42,12 +43,13 @@ class Stage:
         self, layout: Layout, session: Session, settings: Settings, spread: Spread | None = None
     ) -> None:
         self.layout, self.radius = layout, session.world.balls[0].radius
-        self.base = background(layout)
+        self.base = furnished(layout, session.world)
         self.lines = self.base.copy()
         self.settings = settings
-        names = enumerate(ball.name for ball in session.world.balls)
-        self.looks = [look(name, i, settings.colours) for i, name in names]
-        self.sprites = BallSprites(layout, self.looks, self.radius)
+        kind, radii = kind_of(session.world), [ball.radius for ball in session.world.balls]
+        self.looks = looks_of(session.world, settings.colours)
+        cloth, many = FINISHES[kind].cloth, kind != "carom"
+        self.sprites = BallSprites(layout, self.looks, radii, cloth, many=many)
         self.trail, self.orientations = Trail(), Orientations(self.sprites)
         self.spread, self.fan = spread or Spread(), Fan(layout)
         self._time, self._shown = session.world.time, (session.began, session.timeline.at)
@@ -83,9 +85,15 @@ class Stage:
     def draw(self, surface: pygame.Surface, session: Session) -> list[pygame.Rect]:
         """Bring the table up to date; returns the rectangles that changed."""
         dirty = self._draw_lines(session)
+        if marks.aiming(session):
+            self.sprites.settle()
         seen = session.seen
-        places = [(i, seen[ball.name].position) for i, ball in enumerate(session.world.balls)]
+        places = [
+            Spot(i, seen[ball.name].position, seen[ball.name].height)
+            for i, ball in enumerate(session.world.balls)
+        ]
         dirty += self._moved(places)
+        self.sprites.prepare(places)
         stroke = pose(session, self.settings.still)
         if stroke != self._cue[0]:
             dirty += [self._cue[1], self._cue_room(stroke)]
@@ -126,13 +134,14 @@ class Stage:
         self._marked += self.trail.draw(self.lines, self.layout, session, self.looks)
         return old + self._marked
 
-    def _moved(self, places: list[tuple[int, Place]]) -> list[pygame.Rect]:
+    def _moved(self, places: list[Spot]) -> list[pygame.Rect]:
         dirty = []
-        for index, at in places:
-            key = (at, self.sprites.orientation(index))
+        for spot in places:
+            index = spot.ball
+            key = (spot, self.sprites.orientation(index))
             was, room = self._balls[index]
             if key != was:
-                now = self._room(at)
+                now = self._room(spot.at)
                 dirty.append(room.union(now) if room.colliderect(now) else now)
                 if not room.colliderect(now):
                     dirty.append(room)
@@ -176,13 +185,13 @@ class Stage:
         self,
         surface: pygame.Surface,
         rect: pygame.Rect,
-        places: list[tuple[int, Place]],
+        places: list[Spot],
         stroke: Pose | None,
     ) -> None:
         """Put the layers together inside `rect`."""
         surface.set_clip(rect)
         surface.blit(self.lines, rect, rect)
-        near = [(i, at) for i, at in places if self._balls[i][1].colliderect(rect)]
+        near = [spot for spot in places if self._balls[spot.ball][1].colliderect(rect)]
         self.sprites.draw_all(surface, near)
         if stroke is not None and self._cue[1].colliderect(rect):
             cue_stick.draw(surface, self.layout, *stroke, self.radius)
