@@ -18,7 +18,7 @@ from danggu.rules.spots import along, carom_spots, colour_spots, respotted
 from danggu.rules.state import HEAD
 from danggu.rules.straight_pool import CENTRE, ELSEWHERE, FOOT, HEAD_SPOT, IN_HAND, KITCHEN, RACK
 from danggu.rules.straight_pool import racked as moved_by_rack
-from physics import Placed, World
+from physics import Ball, Placed, World
 
 from .hand import GAP, Point, hindrance, usual
 
@@ -45,25 +45,30 @@ def lay(world: World, name: str, at: Point) -> None:
 
 
 def opened(world: World, match: Match, seed: int) -> None:
-    """Rack all balls for a break, the cue ball in hand."""
-    for name, at in _rack(world, match, seed):
-        lay(world, name, at)
-    if match.state.region:
-        lay(world, CUE, _away_from(world, match))
+    """Rack all balls for a break, and put the cue ball in hand; balls that are not in the world
+    yet are added."""
+    there = {ball.name for ball in world.balls}
+    places = {CUE: (0.0, 0.0), **dict(rack(world, match, seed))}
+    for name in (CUE, *match.rules.balls):
+        if name not in there:
+            world.add(Ball(name, places[name]))
+            there.add(name)
+        lay(world, name, places[name])
+    lay(world, CUE, usual(world, CUE, match.state.region))
 
 
-def settled(world: World, match: Match, spot: Sequence[str], rack: int, seed: int) -> Match:
+def settled(world: World, match: Match, spot: Sequence[str], count: int, seed: int) -> Match:
     """Lay the balls for the stroke that comes; returns the match, with the cue ball in hand where
     a rack has taken its place.
 
     spot: the balls that are spotted, in their order.
-    rack: how many are racked, 0 for none.
+    count: how many are racked, 0 for none.
     """
     if match.rules.key not in RACKS:
         return match
     left = {*match.state.left}
-    if rack:
-        match = _racked(world, match, rack, seed)
+    if count:
+        match = _racked(world, match, count, seed)
     else:
         for ball in world.balls:
             if ball.name != CUE and ball.name not in left:
@@ -132,7 +137,7 @@ def _on_line(world: World, name: str, start: Point, end: Point) -> None:
 # -- racks -----------------------------------------------------------------------------------------
 
 
-def _rack(world: World, match: Match, seed: int) -> list[tuple[str, Point]]:
+def rack(world: World, match: Match, seed: int) -> list[tuple[str, Point]]:
     """Names and places of the balls of a full rack, the apex first, m."""
     table = world.table
     balls = table.rack(RACKS[match.rules.key], disorder=LOOSE, seed=seed)
@@ -145,7 +150,7 @@ def _rack(world: World, match: Match, seed: int) -> list[tuple[str, Point]]:
 
 def _racked(world: World, match: Match, count: int, seed: int) -> Match:
     """Rack so many balls; with fourteen the last one stays where it can (14.1)."""
-    full = _rack(world, match, seed)
+    full = rack(world, match, seed)
     if count == len(full):
         own = world.ball(CUE)
         for name, at in full:
@@ -179,21 +184,17 @@ def _spot(world: World, spot: str) -> Point | None:
     return at
 
 
-def _whereabouts(world: World, name: str, rack: Sequence[tuple[str, Point]]) -> str:
+def _whereabouts(world: World, name: str, full: Sequence[tuple[str, Point]]) -> str:
     ball, table = world.ball(name), world.table
-    if _in_the_way(ball.position, rack, ball.radius):
+    if _in_the_way(ball.position, full, ball.radius):
         return RACK
     if dist(ball.position, table.spots["head"]) < 2 * ball.radius:
         return HEAD_SPOT
     return KITCHEN if table.regions["kitchen"].contains(ball.position) else ELSEWHERE
 
 
-def _in_the_way(at: Point, rack: Sequence[tuple[str, Point]], radius: float) -> bool:
-    return any(dist(at, place) < 2 * radius for _, place in rack)
-
-
-def _away_from(world: World, match: Match) -> Point:
-    return usual(world, CUE, match.state.region)
+def _in_the_way(at: Point, full: Sequence[tuple[str, Point]], radius: float) -> bool:
+    return any(dist(at, place) < 2 * radius for _, place in full)
 
 
 # -- carom -----------------------------------------------------------------------------------------

@@ -70,7 +70,7 @@ def test_a_question_is_answered_with_one_of_its_options():
 
 
 def test_a_ball_in_hand_is_placed_in_its_region_and_beside_what_lies_there():
-    world, match = racked("8-ball")
+    world, _ = racked("8-ball")
     x, y = world.table.spots["head"]
     assert usual(world, "cue", ANYWHERE) == (x, y)
     world.ball("1").position = (x, y)
