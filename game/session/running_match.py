@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from math import dist
 from typing import NamedTuple
 
-from danggu.players import referee, spotting
+from danggu.players import observer, spotting
 from danggu.players.levels import Level
 from danggu.rules.match import Match
 from danggu.rules.race import Race
@@ -181,14 +181,14 @@ class Contest:
         one's turn; returns whether balls have been laid elsewhere."""
         self.pending = False
         before, lay = self.match, world.layout()
-        done = referee.seen(world, before)
+        done = observer.seen(world, before)
         self._rule(before.ruled(done), before)
         if self.terms.discipline.position:
             return carom_table.settled(world, before, self.match, self.verdict, self.terms.world())
         verdict = before.ruled(done)
         self.match = spotting.settled(world, self.match, verdict.spot, verdict.rack, self.seed)
         if before.rules.key == "snooker":
-            lie = referee.lie_of(world, verdict, done, before)
+            lie = observer.lie_of(world, verdict, done, before)
             self._rule(before.ruled(lie), before)
         if self.match.winner is not None:
             self.race = self.race.after(self.match.winner)

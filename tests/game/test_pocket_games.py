@@ -14,7 +14,7 @@ from game.session.commands import perform
 from game.session.match_commands import pockets
 from game.text import LANGUAGES
 from physics import heading
-from tests.support.pockets import RACKED, leave, played, playing, stroke
+from tests.support.racked_games import RACKED, leave, played, playing, stroke
 
 STRAIGHT = "1.6 -1 0 0"
 UP_RIGHT = complex(1, 1) / sqrt(2)
