@@ -11,7 +11,8 @@ from itertools import count
 from random import Random
 from time import perf_counter
 
-from danggu.players.opponent import Opponent
+from danggu.players.minds import answer, mind
+from danggu.players.plan import Mind, Plan
 from danggu.rules.match import Match
 from game.aim.entry import BOXES, plain
 from game.session.action import Action
@@ -41,11 +42,14 @@ class Thinker:
 
     def __init__(self, session: Session, seed: int = 0, virtual: bool = False) -> None:
         self.session, self.seed, self.virtual = session, seed, virtual
-        self.mind: Opponent | None = None
+        self.mind: Mind | None = None
+        self._queue: list[Action] = []
         self._about: tuple[Match, int, int] | None = None
-        self._hurried = False
+        self._hurried = self._own = False
         self._since = self._shown_at = self._decided = 0
         self._shown: str | None = None
+        self._own = False
+        """Was the last thing done its own, so that what it thinks about has not changed?"""
 
     @property
     def on(self) -> bool:
@@ -69,21 +73,28 @@ class Thinker:
 
     def hurry(self) -> None:
         """Strike at once with the best found so far."""
-        self._hurried = self.mind is not None
+        contest = self.session.contest
+        asked = contest is not None and contest.match.asked is not None
+        self._hurried = self.mind is not None or asked
 
     def think(self) -> Action | None:
         """Think for a frame's share of time; returns what is to be done now, if anything."""
+        if self._racks():
+            return Action("next")
         if not self.on:
             self._rest()
             return None
+        if self._queue:
+            return self._queue.pop(0)
+        if self.session.contest is not None and self.session.contest.match.asked is not None:
+            return self._answer()
         self._take_up()
         assert self.mind is not None
         contest, now = self.session.contest, self.session.tick
         assert contest is not None
         if not (self.mind.done or self._hurried):
             self.mind.think(*self._budget())
-        intent = self.mind.intent
-        self.session.muse(not self.mind.done, intent.share if intent.copies else None)
+        self.session.muse(not self.mind.done, self.mind.share)
         if self._hurried:
             return self._strike()
         if self.session.shown_shot:
@@ -99,6 +110,7 @@ class Thinker:
             self.session.muse(False, None)
         if self.session.moving or contest is None:
             self.mind = self._about = None
+            self._queue = []
             self._hurried = False
 
     def _take_up(self) -> None:
@@ -107,13 +119,15 @@ class Thinker:
         assert contest is not None
         assert contest.level is not None
         about = contest.match, session.stamp, id(session.world)
+        if self._own and self.mind is not None:  # it has only prepared its stroke
+            self._about, self._own = about, False
         if about == self._about and self.mind is not None:
             return
         self._about, self._hurried = about, False
         seed = self.seed * 1_000_003 + sum(sheet.strokes for sheet in contest.match.sheets)
         world = session.world.copy()
         world.engine = EventDriven()  # fixed steps would take a hundred times as long
-        self.mind = Opponent(world, contest.match, contest.level, seed, EFFORT)
+        self.mind = mind(world, contest.match, contest.level, seed, EFFORT)
         self._rng = Random(seed + 1)
         self._since = self._shown_at = session.tick
         self._decided, self._shown = 0, None
@@ -121,7 +135,10 @@ class Thinker:
     def _show(self, now: int) -> Action | None:
         """Put what it intends into the boxes; strike when that has been seen."""
         assert self.mind is not None
-        line = _line(self.mind.intent.shot)
+        line = _line(self.mind.plan.shot)
+        if self.mind.done and (prepared := self._prepared(self.mind.plan)):
+            self._shown = None
+            return prepared
         if line != self._shown and (self.mind.done or now - self._shown_at >= GLANCE):
             self._shown, self._shown_at = line, now
             return Action("intend", line)
@@ -132,10 +149,64 @@ class Thinker:
 
     def _strike(self) -> Action:
         assert self.mind is not None
-        line = _line(self.mind.execute(self._rng))
+        plan = self.mind.played(self._rng)
+        self._queue = [*self._steps(plan), Action("play", _line(plan.shot))]
         self.mind = self._about = None
         self._hurried = False
-        return Action("play", line)
+        return self._queue.pop(0)
+
+    def _prepared(self, plan: Plan) -> Action | None:
+        """The next thing that has to be done before the stroke can be shown as it is meant."""
+        steps = self._steps(plan)
+        if steps:
+            self._own = True
+        return steps[0] if steps else None
+
+    def _steps(self, plan: Plan) -> list[Action]:
+        """What is to be done before the stroke: the ball put where it is wanted, and calls."""
+        session, contest = self.session, self.session.contest
+        assert contest is not None
+        found, now = [], contest.match.call
+        if plan.call.cue and plan.call.cue != contest.match.cue:
+            found.append(Action("call", f"cue {plan.call.cue}"))
+        at = session.world.ball(contest.match.cue).position
+        if plan.place is not None and contest.in_hand and _place(plan.place) != _place(at):
+            found.append(Action("put", _place(plan.place)))
+        for word, name in (("ball", plan.call.ball), ("pocket", plan.call.pocket)):
+            if name and word in contest.may_call and getattr(now, word) != name:
+                found.append(Action("call", f"{word} {name}"))
+        said = [w for w in ("safety", "push") if getattr(plan.call, w) and not getattr(now, w)]
+        return [*found, *(Action("call", word) for word in said if word in contest.may_call)]
+
+    def _answer(self) -> Action | None:
+        """Answer the question of the match, once it has been seen."""
+        session, contest = self.session, self.session.contest
+        assert contest is not None
+        assert contest.level is not None
+        about = contest.match, session.stamp, id(session.world)
+        if about != self._about:
+            self._about, self._since = about, session.tick
+        if session.tick - self._since < LOOK and not self._hurried:
+            return None
+        self._hurried = False
+        return Action("answer", answer(session.world, contest.match, contest.level, self.seed))
+
+    def _racks(self) -> bool:
+        """Is it time that the computers rack again, with nobody there who could?"""
+        session, contest = self.session, self.session.contest
+        if contest is None or not contest.between or contest.peopled:
+            return False
+        if session.paused or session.moving or session.held:
+            return False
+        about = contest.match, -1, 0
+        if about != self._about:
+            self._about, self._since = about, session.tick
+        return session.tick - self._since >= LOOK
+
+
+def _place(at: tuple[float, float]) -> str:
+    """A place as commands take it, m."""
+    return f"{at[0]!r} {at[1]!r}"
 
 
 def _line(shot: Shot) -> str:

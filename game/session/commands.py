@@ -14,6 +14,7 @@ from game.table import lineup, presets
 from game.text import LANGUAGES
 from game.text.quoting import shortly
 
+from . import match_commands as match
 from . import play_commands as play
 from . import table_commands as table
 from . import terms
@@ -148,7 +149,15 @@ TABLE = (
     Command("both", _own("both"), keys=(Key("n"),), own=True,
             rows=(HelpRow("always", 8, "@both", "key.both"),)),
     Command("arrange", table.arrange, keys=(Key("b"),),
-            rows=(HelpRow("play", 11, "@arrange", "key.arrange"),)),
+            rows=(HelpRow("play", 11, "@arrange", "key.arrange"),), aims=True),
+    Command("ball", match.next_ball, _WAY, (Key("k", 1, shift=Action("ball", -1)),),
+            (HelpRow("aim", 10, "@ball 1 @pocket 1", "help.call"),), aims=True),
+    Command("pocket", match.next_pocket, _WAY, (Key("o", 1, shift=Action("pocket", -1)),), (),
+            aims=True),
+    Command("call", match.call, text("WHAT"), (Key("s", "safety"), Key("u", "push")),
+            (HelpRow("aim", 11, "@call safety @call push", "help.safety"),), aims=True),
+    Command("put", match.put, numbers('"X Y"', 2)),
+    Command("answer", match.answer, text("OPTION"), aims=True),
     Command("help", table.keys, keys=(Key("f1", always=True),),
             rows=(HelpRow("always", 1, "@help", "help.help"),), keeps_notice=True),
     Command("language", table.language, one_of("KEY", LANGUAGES), (Key("f2", always=True),),
@@ -190,8 +199,8 @@ TABLE = (
     Command("next", play.show_next, keeps_notice=True, hurries=True),
     Command("intend", play.intend, _SHOT, keeps_notice=True),
     Command("play", play.play, _SHOT),
-    Command("hold", table.hold, text("BALL")),
-    Command("move", table.move, numbers('"X Y"', 2), drags=True),
+    Command("hold", table.hold, text("BALL"), aims=True),
+    Command("move", table.move, numbers('"X Y"', 2), drags=True, aims=True),
     Command("match", table.match, line("TERMS", terms.read, "the terms of a match"),
             ends_match="begun"),
     Command("line", table.line, line("LINE", lineup.read, "a set-up"), ends_match="always"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 
-from game.aim.preview import FAILS
+from game.aim.preview import FAILS, Story
 from game.table import placing
 from physics import EventBudgetError, World
 
@@ -22,6 +22,13 @@ def spot(world: World, spots: World) -> bool:
     for ball in gone:
         ball.position = placing.slid(world, ball.name, spots.ball(ball.name).position)
     return bool(gone)
+
+
+def of_note(story: Story, cue: str, most: int) -> tuple[str, ...]:
+    """The balls of a shot that are worth a trace: the cue ball, those it hits, those that drop."""
+    hit = [name for e in story.events if e.kind == "ball" and cue in e.balls for name in e.balls]
+    down = [name for e in story.events if e.kind == "pocket" for name in e.balls]
+    return tuple(dict.fromkeys([cue, *hit[:2], *down, *hit]))[:most]
 
 
 def step(world: World, dt: float) -> str:

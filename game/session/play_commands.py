@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from game.aim import edit, thickness
 from game.aim.entry import BOXES
 from game.aim.preview import GLIMPSE, rests
+from physics import Placed
 
 from . import moves
 from .session import Session
@@ -121,7 +122,11 @@ def fire(session: Session) -> None:
 
 
 def show_next(session: Session) -> None:
-    """Show the coming stroke in place of the last one."""
+    """Show the coming stroke in place of the last one; after a rack, rack again."""
+    if session.contest is not None and session.contest.between and not session.moving:
+        session.contest.next_rack(session.world)
+        session.put(session.world.layout())
+        session.seat()
     session.show_aim()
     session.aim.leave()
     session.aim.finish()
@@ -159,10 +164,12 @@ def stop(session: Session) -> None:
 
 def retry(session: Session) -> None:
     """The balls go back to where they lay before the last shot; the same entry may be shot."""
+    lies: Sequence[Placed] = session.lies
     if session.contest is not None:
-        session.aim.texts = list(session.contest.take_back() or session.aim.texts)
-        session.cue = session.contest.match.cue
-    session.put(session.lies)
+        texts, before = session.contest.take_back()
+        session.aim.texts = list(texts or session.aim.texts)
+        session.cue, lies = session.contest.match.cue, before or lies
+    session.put(lies)
     session.aim.leave()
     if not session.moving:
         session.aim.finish()

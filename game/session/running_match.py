@@ -6,55 +6,70 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import dist
 from typing import NamedTuple
 
+from danggu.players import observer, spotting
 from danggu.players.levels import Level
 from danggu.rules.match import Match
+from danggu.rules.race import Race
+from danggu.rules.state import BREAK, Call
 from danggu.rules.verdict import Verdict
 from game.aim.entry import plain
 from game.aim.preview import Outcome
-from physics import Log, World, heading
+from physics import Log, Placed, World, heading
 
+from . import calls, carom_table
 from .terms import FREE, HUMAN, SKILLS, START, Terms
+
+HARD = "8"
+"""Speed in the boxes before a break, m/s."""
 
 
 class Standing(NamedTuple):
-    """How a match stands between two strokes."""
+    """How a match stands between two strokes; `lies`: the balls before the last one."""
 
     match: Match
     verdict: Verdict | None
     shooter: int
+    race: Race
+    lies: tuple[Placed, ...] | None = None
 
 
 @dataclass(slots=True)
 class Contest:
     """The match that is being played.
 
+    race      racks or frames won
     verdict   on the last stroke, None before the first one and while balls move
     shooter   index of the player who made it
     pending   has a stroke yet to be judged?
     given     does the player at the table have the boxes?  They hold the last stroke until then
     share     of strokes like the one intended that would score, for the picture: the computer's
     thinking  is the computer still looking for a better one?
+    lies      how the balls lay before the last stroke, None before the first one
     """
 
     terms: Terms
     match: Match
+    race: Race
     verdict: Verdict | None = None
     shooter: int = 0
     pending: bool = False
     given: bool = False
     share: float | None = None
     thinking: bool = False
+    lies: tuple[Placed, ...] | None = None
     _before: Standing | None = None
     _entries: dict[int, list[str]] = field(default_factory=dict)
 
     @classmethod
     def of(cls, terms: Terms) -> Contest | None:
         """The match of some terms; None for the free table."""
-        return None if terms.game == FREE else cls(terms, terms.match())
+        if terms.game == FREE:
+            return None
+        return cls(terms, terms.match(), Race(terms.race, (0,) * len(terms.seats)))
 
     @property
     def level(self) -> Level | None:
@@ -66,8 +81,12 @@ class Contest:
     @property
     def waits(self) -> bool:
         """Is the computer at the table, and another player a person?"""
-        levels = [seat.level for seat in self.terms.seats]
-        return self.level is not None and HUMAN in levels
+        return self.level is not None and self.peopled
+
+    @property
+    def peopled(self) -> bool:
+        """Is any player a person?"""
+        return HUMAN in [seat.level for seat in self.terms.seats]
 
     @property
     def closing(self) -> int:
@@ -75,27 +94,108 @@ class Contest:
         turn = self.match.turn
         return self.match.rules.needs(turn) if "red1" in self.match.rules.balls else 0
 
+    # -- racks ---------------------------------------------------------------------------------
+
+    @property
+    def between(self) -> bool:
+        """Is a rack over, but not the race?"""
+        return self.match.finished and self.race.winner is None and not self.terms.discipline.points
+
+    @property
+    def over(self) -> bool:
+        """Is there nothing more to be played?"""
+        return self.match.finished and not self.between
+
+    @property
+    def rack(self) -> int:
+        """The number of the rack or frame that is being played, from 1."""
+        return sum(self.race.won) + (not self.match.finished or self.match.winner is None)
+
+    def next_rack(self, world: World) -> None:
+        """Rack the balls again for the player whose break it is; sheets go on, points do not."""
+        sheets = tuple(replace(sheet, score=0) for sheet in self.match.sheets)
+        fresh = self.terms.match()
+        self.match = replace(fresh, sheets=sheets, at=self.race.breaker)
+        self.verdict = self.lies = self._before = None
+        self.given = False
+        spotting.opened(world, self.match, self.seed)
+
+    @property
+    def seed(self) -> int:
+        """Draws the next rack: another one for each stroke, and the same one after undo."""
+        return self.terms.seed + 7919 * sum(sheet.strokes for sheet in self.match.sheets)
+
+    # -- before a stroke -----------------------------------------------------------------------
+
+    @property
+    def in_hand(self) -> str:
+        """Where the player may place the cue ball now, as in `GameState.region`, or ""."""
+        idle = self.match.finished or self.pending or self.match.asked is not None
+        return "" if idle else self.match.state.region
+
+    @property
+    def may_call(self) -> frozenset[str]:
+        """What the player may declare before the coming stroke: see `calls.allowed`."""
+        idle = self.match.finished or self.pending or self.match.asked is not None
+        return frozenset() if idle else calls.allowed(self.match)
+
+    def call(self, call: Call) -> None:
+        """Declare this for the coming stroke; ValueError for what cannot be declared."""
+        calls.check(self.match, call)
+        self.match = self.match.called(call)
+
+    def answer(self, key: str, world: World) -> None:
+        """Answer the question with the key of an option; ValueError if there is none such."""
+        if self.match.asked is None:
+            raise ValueError("there is no question to answer")
+        option = self.match.asked.option(key)
+        self.match, self.given = self.match.answered(key), False
+        if option.restore and self.lies is not None:
+            world.recall(self.lies)
+        if self.terms.discipline.position:
+            carom_table.spot(world, self.match, option.spot)
+        else:
+            args = self.match, option.spot, option.rack, self.seed
+            self.match = spotting.settled(world, *args)
+
     # -- strokes -------------------------------------------------------------------------------
 
     def refusal(self, *, moving: bool) -> str:
-        """Why nobody may strike now: "moving" "over" or ""."""
+        """Why nobody may strike now: "moving" "over" "asked" or ""."""
         if self.match.finished:
-            return "over"
+            return "rack" if self.between else "over"
+        if self.match.asked is not None:
+            return "asked"
         return "moving" if moving else ""
 
-    def struck(self, texts: list[str]) -> None:
-        """The stroke in the five texts has been made."""
+    def struck(self, texts: list[str], lies: tuple[Placed, ...]) -> None:
+        """The stroke in the five texts has been made, with the balls where they lay."""
         self._before = self.snapshot()
+        self.lies = lies
         self.shooter, self.verdict = self.match.at, None
         self.pending = self.given = True
         self._entries[self.shooter] = list(texts)
 
-    def judge(self, log: Log) -> Verdict:
-        """All balls lie still: judge the stroke in a log, after which it is the next one's turn."""
+    def judge(self, world: World) -> bool:
+        """All balls lie still: judge the stroke in the world's log, after which it is the next
+        one's turn; returns whether balls have been laid elsewhere."""
         self.pending = False
-        self.verdict = self.match.judged(log.contacts())
-        self.match = self.match.after(self.verdict)
-        return self.verdict
+        before, lay = self.match, world.layout()
+        done = observer.seen(world, before)
+        self._rule(before.ruled(done), before)
+        if self.terms.discipline.position:
+            return carom_table.settled(world, before, self.match, self.verdict, self.terms.world())
+        verdict = before.ruled(done)
+        self.match = spotting.settled(world, self.match, verdict.spot, verdict.rack, self.seed)
+        if before.rules.key == "snooker":
+            lie = observer.lie_of(world, verdict, done, before)
+            self._rule(before.ruled(lie), before)
+        if self.match.winner is not None:
+            self.race = self.race.after(self.match.winner)
+        return world.layout() != lay
+
+    def _rule(self, verdict: Verdict, before: Match) -> None:
+        self.verdict, self.match = verdict, before.after(verdict)
 
     def settled(self, log: Log, now: float) -> Verdict | None:
         """The verdict on the last stroke at a world time, if nothing can change it any more."""
@@ -115,12 +215,13 @@ class Contest:
         when = verdict.facts.decided if self.match.rules.settles(verdict) else None
         return None if when is None else Outcome(when, verdict.foul)
 
-    def seat(self, *, busy: bool) -> str:
+    def seat(self, world: World, *, busy: bool) -> str:
         """Return the cue ball of the player at the table; the boxes follow with the next aim.
 
         `busy`: what has been typed or completed meanwhile stays in the boxes.
         """
         self.share, self.given = None, busy
+        self.match = calls.with_a_cue_ball(self.match, world)
         return self.match.cue
 
     def boxes(self, world: World) -> list[str] | None:
@@ -131,32 +232,38 @@ class Contest:
         if self.given or self.level is not None:
             return None
         self.given = True
-        speed_and_spins = self._entries.get(self.match.at, [*START])[: len(START)]
-        return [*speed_and_spins, self._angle(world)]
+        breaks = self.match.state.phase == BREAK and not self.terms.discipline.points
+        start = [HARD, *START[1:]] if breaks else [*START]
+        own = start if breaks else self._entries.get(self.match.at, start)
+        return [*own[: len(START)], self.angle(world)]
 
-    def _angle(self, world: World) -> str:
+    def angle(self, world: World) -> str:
         """Full on the nearest ball that may be hit first, at the opening the usual one, degrees."""
-        spots = {ball.name: ball.position for ball in world.balls}
-        x, y = own = spots[self.match.cue]
-        names = self.match.rules.targets(self.match.turn)[: 1 if self.match.opening else None]
-        to = min((spots[name] for name in names), key=lambda at: dist(at, own))
+        spots = {ball.name: ball.position for ball in world.balls if not ball.gone}
+        x, y = own = world.ball(self.match.cue).position
+        names = [name for name in self.match.rules.targets(self.match.turn) if name in spots]
+        opening = self.match.opening and self.terms.discipline.position
+        places = [spots[name] for name in (names[:1] if opening else names)]
+        to = min(places, key=lambda at: dist(at, own), default=(x + 1.0, y))
         return plain(heading(complex(to[0] - x, to[1] - y)))
 
     # -- going back ----------------------------------------------------------------------------
 
     def snapshot(self) -> Standing:
         """How the match stands: to be kept before a stroke."""
-        return Standing(self.match, self.verdict, self.shooter)
+        return Standing(self.match, self.verdict, self.shooter, self.race, self.lies)
 
     def restore(self, standing: Standing) -> str:
         """Stand again as then; returns the cue ball of the player at the table."""
-        self.match, self.verdict, self.shooter = standing
+        self.match, self.verdict, self.shooter, self.race, self.lies = standing
         self.pending, self.given, self.share = False, True, None
         return self.match.cue
 
-    def take_back(self) -> list[str] | None:
-        """Stand as before the last stroke; returns its numbers for the boxes, None before any."""
-        if self._before is None:
-            return None
-        self.restore(self._before)
-        return self._entries.get(self.match.at)
+    def take_back(self) -> tuple[list[str] | None, tuple[Placed, ...] | None]:
+        """Stand as before the last stroke; returns its numbers for the boxes and where the balls
+        lay, None before any."""
+        before, lies = self._before, self.lies
+        if before is None:
+            return None, None
+        self.restore(before)
+        return self._entries.get(self.match.at), lies

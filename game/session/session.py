@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import hypot
 
 from danggu.rules.stroke import stroke
@@ -22,6 +21,7 @@ from physics import Placed, State, World
 from . import equipment, moves
 from .equipment import Equipment
 from .history import History, Moment
+from .notice import Notice
 from .running_match import Contest
 from .ticks import TICKS, seconds, shares
 from .timeline import Timeline
@@ -30,14 +30,6 @@ READING = TICKS // 8
 """How often the read-outs change while balls move: faster cannot be read."""
 
 MOST_TRACED = 6
-
-
-@dataclass(frozen=True, slots=True)
-class Notice:
-    """Something to tell the player: a key of the texts, and whether it is an error."""
-
-    key: str
-    error: bool = False
 
 
 class Session:
@@ -106,9 +98,9 @@ class Session:
         self.news += 1
         self.version += 1
 
-    def warn(self, key: str, error: bool = True) -> None:
+    def warn(self, key: str, error: bool = True, about: str = "") -> None:
         """Say what cannot be, or what has been done instead of it."""
-        self.notice = Notice(key, error)
+        self.notice = Notice(key, error, about)
 
     def refuse(self, why: str) -> None:
         """Say why something cannot be done now."""
@@ -136,8 +128,12 @@ class Session:
 
     def give_boxes(self) -> None:
         """Let the player at the table of a match have the boxes, once in a turn."""
-        texts = self.contest.boxes(self.world) if self.contest is not None else None
-        self.aim.texts = self.aim.texts if texts is None else texts
+        if self.contest is None or self.contest.match.asked is not None:
+            return
+        texts = self.contest.boxes(self.world)
+        if texts is not None:
+            self.aim.texts, self.held_ball = texts, self.cue
+            self.arranging = bool(self.contest.in_hand)
 
     def ready(self) -> bool:
         """Turn to the next shot; False while balls move."""
@@ -163,7 +159,7 @@ class Session:
         self.changed()
         self.shooter = self.cue
         if self.contest is not None:
-            self.contest.struck(self.aim.texts)
+            self.contest.struck(self.aim.texts, self.lies)
         self.aim.spent()
         self.shots += 1
         self.timeline.moving = self.timeline.shown = True
@@ -285,8 +281,7 @@ class Session:
         self.timeline.paused = False  # there is nothing to hold: the next shot goes on
         if self.contest is not None and self.contest.pending:
             self.notice = None
-            verdict = self.contest.judge(self.world.log)
-            if verdict.facts.off and moves.spot(self.world, self.contest.terms.world()):
+            if self.contest.judge(self.world):
                 self.changed()
             self.seat()
         if self.aim.box is not None or self.aim.complete:
@@ -296,7 +291,7 @@ class Session:
         """Give the cue ball to the player at the table of the match."""
         if self.contest is not None:
             busy = self.aim.box is not None or self.aim.complete
-            self.cue = self.contest.seat(busy=busy)
+            self.cue = self.contest.seat(self.world, busy=busy)
 
     # -- what there is to see ------------------------------------------------------------------
 
@@ -369,7 +364,12 @@ class Session:
     def traced(self) -> tuple[str, ...]:
         """The balls whose traces are shown: all, unless there are too many to tell apart."""
         names = tuple(ball.name for ball in self.world.balls)
-        return names if len(names) <= MOST_TRACED else (self.cue,)
+        if len(names) <= MOST_TRACED:
+            return names
+        ran, seen = self.shown_shot or self.moving, NO_STORY
+        if ran or self.preview is not None:
+            seen = self.forecast if ran or self.preview is None else self.preview.story
+        return moves.of_note(seen, self.shooter if ran else self.cue, MOST_TRACED)
 
     @property
     def seen(self) -> dict[str, State]:

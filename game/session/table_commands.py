@@ -8,7 +8,7 @@ from game.table import lineup, placing, presets
 from game.text import LANGUAGES
 from physics import World
 
-from . import equipment, terms
+from . import equipment, match_commands, terms
 from .running_match import Contest
 from .session import Session
 
@@ -123,9 +123,9 @@ def place(session: Session) -> None:
 
 
 def arrange(session: Session) -> None:
-    """Begin or end placing balls by hand; the balls of a match are not touched."""
+    """Begin or end placing balls by hand; of those of a match only the cue ball in hand."""
     if session.contest is not None and not session.contest.match.finished:
-        session.refuse("match")
+        match_commands.hold_in_hand(session)
     elif session.moving:
         session.refuse("moving")
     else:
@@ -135,7 +135,9 @@ def arrange(session: Session) -> None:
 
 
 def hold(session: Session, name: str) -> None:
-    """Take the ball that keys and mouse move."""
+    """Take the ball that keys and mouse move; in a match it is the cue ball."""
+    if session.contest is not None and not session.contest.match.finished:
+        return
     if name in {ball.name for ball in session.world.balls}:
         session.held_ball = name
 
@@ -145,6 +147,9 @@ def move(session: Session, to: str) -> None:
     if not session.arranging:
         return
     x, y = map(float, to.split())
+    if session.contest is not None and not session.contest.match.finished:
+        match_commands.move_in_hand(session, (x, y))
+        return
     held, balls = session.held_ball, session.world.balls
     found = placing.slid(session.world, held, (x, y))
     if found != session.world.ball(held).position:

@@ -16,12 +16,10 @@ from physics import Event, World
 
 from .ticks import TICKS, seconds
 
-HEEDED = ("ball", "cushion", "rest")
-"""Kinds of events that a player hears of; any other is passed over."""
 RATES = (1, 2, 4, 8, 16, 32, 64)
 """Speeds of time in eighths: from an eighth to eight times."""
 USUAL = 8
-HEEDED = ("ball", "cushion", "rest")
+HEEDED = ("ball", "cushion", "rest", "pocket", "off")
 """Kinds of events that a player is told of; any other is passed over."""
 FRAME = TICKS // 60
 """What a single frame is while time stands."""

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from math import acos
 
-from physics import World
+from physics import Placed, World
 
 Place = tuple[float, float]
 GAP = 1e-6
@@ -15,6 +15,11 @@ GAP = 1e-6
 Circle = tuple[complex, float]
 Side = tuple[complex, float]
 """A line along which a ball slides: its normal n, and n·p for all of its points p."""
+
+
+def lying_at(at: Place) -> Placed:
+    """A ball that lies still there, m."""
+    return Placed(complex(*at))
 
 
 def slid(world: World, name: str, to: Place) -> Place:

@@ -12,7 +12,11 @@ from physics import Ball, Cloth, EventDriven, Placed, World, laws, scenes, table
 
 Place = tuple[float, float]
 
-TABLES = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM}
+CAROM = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM}
+POOL = {"pool-9": tables.pool(9), "pool-8": tables.pool(8), "pool-7": tables.pool(7)}
+TABLES = {**CAROM, **POOL, "snooker": tables.SNOOKER_12FT, "pyramid": tables.PYRAMID_12FT}
+FREE_RACKS = {"pool": "8-ball", "snooker": "snooker", "pyramid": "pyramid"}
+"""What is racked on a free table of each kind."""
 BALLS: dict[str, Place] = {
     "white": (-0.22, -0.24),
     "yellow": (0.33, -0.06),
@@ -20,6 +24,7 @@ BALLS: dict[str, Place] = {
     "red2": (-0.34, 0.26),
 }
 """Where the balls lie at the start, as shares of the table's length and width."""
+CUE = "cue"
 THREE = ("white", "yellow", "red1")
 TRIES = 10_000
 """Random places tried for one ball before giving up: a quarter of a table is never that full."""
@@ -64,15 +69,33 @@ SIDES = ("west", "east", "south", "north")
 
 
 def table_world(key: str) -> World:
-    """A table with its balls at rest: four, or three on the match table."""
+    """A table with its balls at rest: four, three on the match table, or racked by the pockets."""
     table = TABLES[key]
     world = table.world()
+    if table.kind in FREE_RACKS:
+        return _racked(world, table.rack(FREE_RACKS[table.kind]))
     for name, (x, y) in BALLS.items():
         if key == "match" and name not in THREE:
             continue
         at = (x * table.length, y * table.width)
         world.add(Ball(_name(key, name), at, radius=table.radius, mass=table.mass))
     return world
+
+
+def _racked(world: World, balls: list[Ball]) -> World:
+    x = -0.3 * world.table.length  # behind the line of each kind of table
+    world.add(Ball(CUE, (x, -0.15 if world.table.kind == "snooker" else 0.0)))
+    for ball in balls:
+        world.add(ball)
+    return world
+
+
+def known(key: str) -> tuple[str, ...]:
+    """Names of all balls that may lie on a table."""
+    table = TABLES[key]
+    if table.kind not in FREE_RACKS:
+        return (*BALLS, "red")
+    return (CUE, *(ball.name for ball in table.rack(FREE_RACKS[table.kind])))
 
 
 def scene_world(name: str) -> World:
@@ -91,6 +114,8 @@ def _name(key: str, name: str) -> str:
 
 def size(world: World) -> Place:
     """Length and width between the noses of the four sides, metres."""
+    if world.table is not None:
+        return world.table.length, world.table.width
     sides = {wall.name: wall.distance((0.0, 0.0)) for wall in world.walls}
     return sides["west"] + sides["east"], sides["south"] + sides["north"]
 

@@ -14,7 +14,7 @@ from game.input import editing
 from game.input.key_tables import of_key, of_text
 from game.session.action import Action
 
-from .panels import prompts
+from .panels import asked_card, prompts
 from .table import place_balls
 from .view import View
 
@@ -129,6 +129,26 @@ class PlacingLayer:
         return None if action is None else answer(action)
 
 
+class AskedLayer:
+    """The question of a match: its keys answer it, and nothing is typed before that."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Take an answer, or go to another one; the table can be looked at all the while."""
+        sight, contest = self.view.sight, self.view.session.contest
+        asked = asked_card.options(self.view.session)
+        if not asked or contest is None or contest.level is not None:
+            return None
+        if event.type == pygame.TEXTINPUT:
+            return Answer()
+        if event.type != pygame.KEYDOWN:
+            return None
+        own, action = asked_card.key(event, sight)
+        return Answer(() if action is None else (action,), redraw=True) if own else None
+
+
 class BoxLayer:
     """The box that is edited: keys and characters go into it."""
 
@@ -188,8 +208,8 @@ class Layers:
 
     def __init__(self, view: View, *first: Layer) -> None:
         self.stack: tuple[Layer, ...] = (
-            *first, QuestionLayer(view), KeysLayer(view), PageLayer(view), PlacingLayer(view),
-            BoxLayer(view), TableLayer(view),
+            *first, QuestionLayer(view), KeysLayer(view), PageLayer(view), AskedLayer(view),
+            PlacingLayer(view), BoxLayer(view), TableLayer(view),
         )  # fmt: skip
 
     def ask(self, event: pygame.event.Event, texts: bool) -> Answer:

@@ -30,6 +30,7 @@ class Sight:
     mode         of the right column: "aim" shows the next shot, "after" the last one
     portrait     the picture of a ball, by its place among the balls, for lists and plates
     composition  what an input method is composing
+    choice       the answer in focus while a match asks something, from 0
     """
 
     session: Session
@@ -41,6 +42,7 @@ class Sight:
     mode: str = "aim"
     portrait: Callable[[int], pygame.Surface] | None = None
     composition: Composition = field(default_factory=Composition)
+    choice: int = 0
 
     @property
     def words(self) -> dict[str, str]:

@@ -26,6 +26,7 @@ from .pages.question import Question
 from .pages.rules_page import RulesPage
 from .pages.settings_page import SettingsPage
 from .pages.shelf import ShelfPage
+from .panels.asked_card import options
 from .panels.parts import Panel, fixed_parts
 from .panels.shot_panels import shot_parts
 from .table.marks import aiming
@@ -230,9 +231,12 @@ class View:
     def _switch(self, surface: pygame.Surface) -> list[pygame.Rect]:
         """Clear the column when it is to show the other shot."""
         mode = "after" if self.session.shown_shot else "aim"
+        if options(self.session):
+            mode = "asked"
         if mode == self._mode:
             return []
         self._mode = self.sight.mode = mode
+        self.sight.choice = 0
         for part in self.parts:
             if part.mode:
                 self._drawn.pop(part.name, None)
@@ -241,7 +245,7 @@ class View:
         return [column]
 
     def _shown(self) -> list[Panel]:
-        return [p for p in self.parts if p.mode in ("", self._mode)]
+        return [p for p in self.parts if not p.mode or self._mode in p.mode.split()]
 
     # -- the mouse -----------------------------------------------------------------------------
 

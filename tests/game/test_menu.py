@@ -3,6 +3,7 @@
 import pytest
 
 from game.input.captions import words
+from game.session.terms import GAMES
 from game.table import lineup
 from game.ui.pages import menu_view, page_parts, shelf_view
 from game.ui.pages.rules_page import RULES
@@ -56,7 +57,7 @@ def test_a_match_is_put_together_by_the_mouse_alone():
     app = an_app(size=(1280, 720))
     click(app, app.view.sight.layout.engine.move(-64, -11).midright)
     assert app.session.page == "menu"
-    choose(app, "game", -1)
+    choose(app, "game", 1, GAMES.index("three-cushion"))
     assert app.view.page.terms.game == "three-cushion"
     choose(app, "bank")
     choose(app, "target", 1, 3)

@@ -124,7 +124,8 @@ def test_fields_of_a_value_are_described_in_the_docstring_of_their_class(path):
 
 
 WRITERS = {
-    f"game.session.{name}" for name in ("session", "commands", "play_commands", "table_commands")
+    f"game.session.{name}"
+    for name in ("session", "commands", "match_commands", "play_commands", "table_commands")
 }
 BELOW = ("game.session", "game.aim", "game.table", "game.text")
 """What a session is made of, and what these use."""

@@ -39,7 +39,8 @@ def score(
     share: float | None = None,
     tone: Colour | None = None,
 ) -> pygame.Rect:
-    """Draw a player's plate: `goal` is written after a slash, `share` fills the bar (None: no bar).
+    """Draw a player's plate: `goal` is written after a slash, or as it is in brackets; `share`
+    fills the bar (None: no bar).
 
     `ball` is a sprite of the player's ball; `averages` may be empty, `tone` is its own colour.
     """
@@ -55,7 +56,7 @@ def score(
         surface.blit(ball, ball.get_rect(center=(rect.x + round(28 * s), rect.centery)))
     left = rect.x + round(50 * s)
     lift = 21 if averages else 29
-    end = _points(surface, rect, type_, points, f"/ {goal}", (strong, weak))
+    end = _points(surface, rect, type_, points, goal, (strong, weak))
     end -= round(70 * s) if share is not None else 0
     name, averages = type_.fitted(name, 15, end - left), type_.fitted(averages, 12, end - left)
     type_.draw(surface, name, (left, rect.y + lift * s), 15, strong if playing else weak)
@@ -78,6 +79,7 @@ def _points(
     """Write the points and their goal at the right; return where the bar has to end."""
     s = type_.s
     right = rect.right - round(14 * s)
+    goal = goal if goal.startswith("(") else f"/ {goal}"
     tail = type_.draw(surface, goal, (right, rect.y + 31 * s), 15, inks[1], "right")
     number = (tail.x - round(6 * s), rect.y + 36 * s)
     shown = type_.draw(surface, points, number, 30, inks[0], "right")

@@ -7,13 +7,12 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from game.session.terms import (
-    BANKS,
     DISCIPLINES,
-    FINISHES,
     FREE,
     GAMES,
+    HOUSE,
     MOST_POINTS,
-    PENALTIES,
+    RACES,
     SEATS,
     Contestant,
     Terms,
@@ -32,12 +31,8 @@ class MenuRow(NamedTuple):
 
 CHOICES: dict[str, tuple[Any, ...]] = {
     "game": GAMES,
-    "finish": FINISHES,
-    "penalty": PENALTIES,
-    "floor": (True, False),
-    "bank": BANKS,
-    "red_first": (True, False),
-    "table": tuple(presets.TABLES),
+    "race": RACES,
+    **HOUSE,
     "cloth": tuple(presets.CLOTHS),
     "law": ("table", *presets.LAWS),
 }
@@ -52,7 +47,8 @@ def rows(terms: Terms) -> list[MenuRow]:
     right = [MenuRow("players")]
     for seat in range(len(terms.seats)):
         right += [MenuRow("name", "text", seat), MenuRow("level", "choice", seat)]
-        right += [MenuRow("target", "number", seat)]
+        if DISCIPLINES[terms.game].points:
+            right += [MenuRow("target", "number", seat)]
     return left + right
 
 
@@ -63,13 +59,19 @@ def stepped(terms: Terms, row: MenuRow, step: int) -> Terms:
         return replace(terms, seats=two if len(terms.seats) == 1 else two[:1])
     if row.seat >= 0:
         return _seated(terms, row, _stepped_seat(terms.seats[row.seat], row, step))
-    keys = CHOICES[row.name]
+    keys = terms.tables if row.name == "table" else CHOICES[row.name]
     way = (step > 0) - (step < 0)
-    value = keys[(keys.index(getattr(terms, row.name)) + way) % len(keys)]
-    changed = replace(terms, **{row.name: value})
+    value: Any = keys[(keys.index(getattr(terms, row.name)) + way) % len(keys)]
     if row.name == "game":
-        changed = replace(changed, table=DISCIPLINES[value].table, cloth="table", law="table")
-    return changed
+        return on_its_table(terms, value)
+    changed: dict[str, Any] = {row.name: value}
+    return replace(terms, **changed)
+
+
+def on_its_table(terms: Terms, game: str) -> Terms:
+    """The terms with another game, on the table that it is usually played on."""
+    table = DISCIPLINES[game].table
+    return replace(terms, game=game, table=table, cloth="table", law="table")
 
 
 def _seated(terms: Terms, row: MenuRow, seat: Contestant) -> Terms:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable
+from itertools import pairwise
 
 import pygame
 
@@ -19,7 +20,11 @@ from . import page_parts
 RULES = {game: sum(key.startswith(f"rule.{game}.") for key in LANGUAGES["en"]) for game in GAMES}
 """How many rules each game has: "rule.free.1" and so on in the texts."""
 LINE, SPACE = 25, 9
-TAB = 34
+LIST = 190
+"""Width of the list of games, px at s = 1."""
+STEPS = {
+    pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_TAB: 1, pygame.K_UP: -1, pygame.K_DOWN: 1,
+}  # fmt: skip
 
 
 class RulesPage:
@@ -59,14 +64,17 @@ class RulesPage:
             return always
         if key in (pygame.K_ESCAPE, pygame.K_RETURN, pygame.K_KP_ENTER):
             return Action("sheet", "")
-        step = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_TAB: 1}.get(key, 0)
+        step = STEPS.get(key, 0)
         self.place = (self.place + step) % len(GAMES)
         return None
 
     def _tabs(self, sight: Sight) -> list[pygame.Rect]:
         area, layout = page_parts.inside(sight.layout), sight.layout
-        bar = pygame.Rect(area.x, area.y, area.w, layout.px(TAB))
-        return page_parts.row_of(bar, (1,) * len(GAMES), layout.px(8))
+        wide, step = layout.px(LIST), area.h / len(GAMES)
+        tops = [area.y + round(k * step) for k in range(len(GAMES) + 1)]
+        return [
+            pygame.Rect(area.x, top, wide, end - top - layout.px(2)) for top, end in pairwise(tops)
+        ]
 
     def _spot(self, at: tuple[int, int], sight: Sight) -> str:
         if not page_parts.panel(sight.layout).collidepoint(at):
@@ -87,7 +95,9 @@ class RulesPage:
                 surface, tab, type_, w[f"game.{name}"], name == game, name == self.over
             )
         area = page_parts.inside(sight.layout)
-        base = area.y + (TAB + 36) * s
+        aside = sight.layout.px(LIST + 24)
+        area.x, area.w = area.x + aside, area.w - aside
+        base = area.y + 16 * s
         for n in range(1, RULES[game] + 1):
             shapes.disc(surface, (area.x + 5 * s, base - type_.cap(15) / 2), 3 * s, theme.ACCENT)
             for line in page_parts.wrapped(w[f"rule.{game}.{n}"], type_, 15, area.w - 24 * s):

@@ -9,7 +9,7 @@ from game.session.action import Action
 from game.session.commands import COMMANDS
 from game.session.session import Session
 from game.settings.settings import CHOICES, LOUDEST, Settings
-from game.table.presets import LAWS
+from game.table.presets import CAROM, LAWS
 
 
 class SettingsRow(NamedTuple):
@@ -28,9 +28,11 @@ class SettingsRow(NamedTuple):
 
 
 SWITCH = ("off", "on")
+FREE_TABLES = (*CAROM, "pool-9", "snooker", "pyramid")
+"""As many as there is room for; the menu has them all."""
 CHOSEN: tuple[SettingsRow, ...] = (
     SettingsRow("language", "choice", CHOICES["language"]),
-    SettingsRow("table", "choice", CHOICES["table"], gap=True),
+    SettingsRow("table", "choice", FREE_TABLES, gap=True),
     SettingsRow("cloth", "choice", CHOICES["cloth"]),
     SettingsRow("law", "choice", tuple(LAWS)),
     SettingsRow("engine", "choice", CHOICES["engine"]),

@@ -14,13 +14,14 @@ from game.aim.thickness import EIGHTHS
 from game.aim.tip import STEEPEST
 from game.render.layout import Layout
 from game.render.parts import cards, cue_card, gauges
-from game.render.theme import TEXT_SOFT
+from game.render.theme import TEXT_SOFT, Colour
 from game.session.action import Action
 from game.settings.settings import CHOICES
 from game.ui.sight import Place, Sight
 from game.ui.table.drag_aim import stepped
-from game.ui.table.looks import kind_of, look
+from game.ui.table.looks import look_of
 
+from . import pot_card
 from .parts import Panel, number
 
 TICKS = (0, 0.5, 1, 2, 3, 4, 5, 6, 7, 8)
@@ -136,7 +137,9 @@ def _contact(sight: Sight) -> FirstContact | None:
 
 def thickness_key(sight: Sight) -> Hashable:
     """What the card of the thickness depends on."""
-    return sight.session.preview is None, _contact(sight), sight.settings.aids, sight.spread.share
+    session, aids = sight.session, sight.settings.aids
+    called = session.contest.match.call if session.contest is not None else None
+    return session.preview is None, _contact(sight), aids, sight.spread.share, called
 
 
 def thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -144,9 +147,11 @@ def thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> 
     w, contact, session = sight.words, _contact(sight), sight.session
     if contact is None:
         return _nothing_met(surface, rect, sight)
-    names = [ball.name for ball in session.world.balls]
-    place, kind = names.index(contact.ball), kind_of(session.world)
-    colour = look(contact.ball, place, sight.settings.colours, kind).ui
+    if pot_card.wanted(session):
+        pot_card.draw(surface, rect, sight)
+        gauges.eighths(surface, rect, sight.type, contact.overlap, _ui(sight, contact))
+        return rect
+    colour = _ui(sight, contact)
     items = [(eighths(contact.overlap), w["thickness.cut"].format(angle=number(contact.cut, 1)))]
     if (share_made := sight.spread.share) is not None:
         items.append((f"{round(100 * share_made)} %", w["spread.made"].format(angle=ANGLE)))
@@ -154,6 +159,11 @@ def thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> 
     gauges.thickness(surface, rect, sight.type, *args)
     gauges.eighths(surface, rect, sight.type, contact.overlap, colour)
     return rect
+
+
+def _ui(sight: Sight, contact: FirstContact) -> Colour:
+    """The colour of the ball that is met."""
+    return look_of(sight.session.world, contact.ball, sight.settings.colours).ui
 
 
 def thickness_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
@@ -174,7 +184,7 @@ def _nothing_met(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
     cards.card(surface, rect, s)
     t.draw(surface, w["thickness"], (rect.x + 12 * s, rect.y + 24 * s), 13, TEXT_SOFT)
     known = sight.session.preview is not None and sight.settings.aids != "off"
-    said = w["thickness.free"] if known else "–"
+    said = pot_card.called(sight.session, w) or (w["thickness.free"] if known else "–")
     t.draw(surface, said, (rect.x + 12 * s, rect.y + 56 * s), 15, TEXT_SOFT)
     return rect
 

@@ -12,10 +12,12 @@ from game.render.layout import Layout
 from game.render.parts import cards, fields, icons
 from game.render.parts.text_line import TextLine
 from game.session.action import Action
-from game.session.session import Notice, Session
+from game.session.notice import Notice
+from game.session.session import Session
 from game.ui.sight import Place, Sight
+from game.ui.table.looks import ball_words
 
-from . import prompts
+from . import prompts, tray
 
 WARNINGS = ("miscue",)
 """Notices of something that was put right, so that the shot can be played."""
@@ -45,7 +47,7 @@ class Panel:
     draw   paints it and returns what it touched
     touch  what a press of the mouse there means
     drags  is it touched again while the mouse moves?
-    mode   of the column in which alone it is shown, "" for both
+    mode   of the column in which alone it is shown, or several, "" for all
     spill  px at s = 1 by which the picture may stand out
     wheel  what so many notches up mean
     """
@@ -170,6 +172,7 @@ def hint(session: Session, w: dict[str, str]) -> tuple[str, bool]:
 
 def _noticed(notice: Notice, session: Session, w: dict[str, str]) -> str:
     names = {"law": w[f"law.{session.law}"], "engine": w[f"engine.{session.engine}"]}
+    names["ball"] = ball_words(notice.about, w) if notice.about else ""
     return w[f"notice.{notice.key}"].format(**names)
 
 
@@ -251,10 +254,14 @@ def _engine_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 
 
 def _readouts_key(sight: Sight) -> Hashable:
+    if sight.mode != "after" and tray.wanted(sight.session):
+        return tray.key(sight)
     return tuple(number(v) for v in sight.session.readout)
 
 
 def _readouts_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+    if sight.mode != "after" and tray.wanted(sight.session):
+        return tray.draw(surface, rect, sight)
     w = sight.words
     names = (w["read.v"], w["read.w"], w["read.wz"])
     values = (number(v) for v in sight.session.readout)
@@ -269,6 +276,6 @@ def fixed_parts(layout: Layout) -> list[Panel]:
         Panel("shoot", layout.shoot, _shoot_look, _shoot_draw, _shoot_touch),
         Panel("hint", layout.hint, _hint_look, _hint_draw),
         Panel("engine", layout.engine, _engine_key, _engine_draw, _engine_touch),
-        Panel("read", layout.readouts, _readouts_key, _readouts_draw, mode="aim"),
+        Panel("read", layout.readouts, _readouts_key, _readouts_draw, mode="aim asked"),
         Panel("read after", layout.readouts_after, _readouts_key, _readouts_draw, mode="after"),
     ]

@@ -7,6 +7,7 @@ can say one thing and do another.  Where the key has another meaning just then, 
 from __future__ import annotations
 
 from game.session.action import Action
+from game.session.running_match import Contest
 from game.session.session import Session
 
 Button = tuple[str, str, Action]
@@ -32,10 +33,24 @@ def button(session: Session) -> Button:
     """The primary button as the game stands."""
     if session.notice is not None and session.notice.key in WATCHED:
         return WATCHED[session.notice.key]
+    contest = session.contest
+    if contest is not None and asking(session):
+        assert contest.match.asked is not None
+        return "asked.first", "asked.keys", Action("answer", contest.match.asked.options[0].key)
     if session.arranging:
+        if contest is not None and not contest.match.finished:
+            return "hand.done", ENTER, Action("arrange")
         return "place.done", "key.b", Action("arrange")
     editing = session.aim.box is not None
     return _of_match(session, editing) or (FINISH if editing else _of_table(session))
+
+
+def asking(session: Session) -> bool:
+    """Is a person to answer a question of the match now?"""
+    contest = session.contest
+    if contest is None or session.moving or contest.level is not None:
+        return False
+    return contest.match.asked is not None
 
 
 def _of_table(session: Session) -> Button:
@@ -53,6 +68,8 @@ def _of_match(session: Session, editing: bool) -> Button | None:
         return None
     if session.moving:
         return "skip", "" if editing else "key.end", Action("skip")
+    if contest.between:
+        return "rack.next", ENTER, Action("next")
     if contest.match.finished:
         return "again", "key.f10", Action("sheet", "menu")
     if contest.level is not None:
@@ -69,6 +86,10 @@ def entered(session: Session) -> Action:
 def hint(session: Session) -> str | None:
     """The key of the hint where a match or placing makes it another one, else None."""
     contest = session.contest
+    if asking(session):
+        return "asked.hint"
+    if session.arranging and contest is not None and not contest.match.finished:
+        return "hint.hand"
     if session.arranging:
         return "hint.arrange"
     if contest is None or session.paused or session.aim.box is not None:
@@ -76,9 +97,19 @@ def hint(session: Session) -> str | None:
     if session.moving:
         return "hint.rolling"
     if contest.match.finished:
-        return "hint.over"
+        return "hint.rack" if contest.between else "hint.over"
     if contest.level is not None:
         return "hint.thinks"
     if session.shown_shot:
         return "hint.next"
-    return "hint.match" if session.aim.complete else None
+    return _calling(contest) or ("hint.match" if session.aim.complete else None)
+
+
+def _calling(contest: Contest) -> str | None:
+    """The key of the hint that says what may be called, if anything."""
+    may = contest.may_call
+    if "push" in may:
+        return "hint.push"
+    if "pocket" in may:
+        return "hint.call"
+    return "hint.colour" if "ball" in may else "hint.cue" if "cue" in may else None

@@ -14,22 +14,26 @@ from game.session.running_match import Contest
 from game.ui.names import player_name
 from game.ui.sight import Sight
 
+from . import rack_words
 from .parts import number
 
+COUNTED = {"no_red", "opponent_ball", "off_table", "opening_not_red"}
+"""Fouls that say what they cost, also where that is nothing."""
 Result = tuple[str, str, str, Colour]
 
 
 def match_look(contest: Contest, sight: Sight) -> Hashable:
     """Return what plates and inning depend on."""
     thinking = contest.thinking, contest.share if sight.mode == "aim" else None
-    return contest.match, thinking, contest.terms, sight.session.moving, sight.mode
+    return contest.match, contest.race, thinking, contest.terms, sight.session.moving, sight.mode
 
 
 def match_draw(contest: Contest, surface: pygame.Surface, sight: Sight) -> None:
     """Draw the plates of the players and the inning between them."""
     first, middle, last = sight.layout.score
     match, w = contest.match, sight.words
-    cards.inning(surface, middle, sight.type, w["score.inning"], str(match.inning))
+    label, number_ = rack_words.middle(contest, w)
+    cards.inning(surface, middle, sight.type, label, number_)
     _plate(surface, first, sight, contest, 0)
     if len(match.players) > 1:
         _plate(surface, last, sight, contest, 1)
@@ -41,10 +45,10 @@ def _plate(
     surface: pygame.Surface, rect: pygame.Rect, sight: Sight, contest: Contest, index: int
 ) -> None:
     match = contest.match
-    sheet, target = match.sheets[index], match.players[index].target
+    points, goal, target = rack_words.points(contest, index)
     playing = match.winner == index if match.finished else match.at == index
     said, tone = _line(sight, contest, index)
-    share = sheet.score / target if target and tone is None else None
+    share = points / target if target and tone is None else None
     names = [ball.name for ball in sight.session.world.balls]
     ball = sight.portrait(names.index(match.cue_of(index))) if sight.portrait else None
     cards.score(
@@ -53,8 +57,8 @@ def _plate(
         sight.type,
         player_name(contest.terms, index, sight.words),
         said,
-        number(sheet.score, 0),
-        str(target),
+        number(points, 0),
+        goal,
         playing,
         ball,
         share,
@@ -67,12 +71,14 @@ def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | Non
     w, match = sight.words, contest.match
     sheet = match.sheets[index]
     if match.winner == index:
-        return _counted("score.won", sheet.innings, w), GOOD
+        return rack_words.won(contest, w) or _counted("score.won", sheet.innings, w), GOOD
     parts = [
         w["score.average"].format(n=number(sheet.average)),
         w["score.high"].format(n=sheet.best),
     ]
-    if sheet.fouls:
+    if racked := rack_words.line(contest, index, w):
+        parts = racked
+    if sheet.fouls and not racked:
         parts.append(w["score.fouls"].format(n=sheet.fouls))
     if match.at != index or match.finished:
         return " · ".join(parts), None
@@ -81,7 +87,7 @@ def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | Non
     if contest.closing:
         last = contest.terms.finish == LAST_POINT_3C
         return w["score.last" if last else "score.extra"], ACCENT
-    if match.run:
+    if match.run and not racked:
         parts.insert(0, w["score.run"].format(n=match.run))
     return " · ".join(parts), None
 
@@ -119,6 +125,8 @@ def result(contest: Contest, verdict: Verdict, sight: Sight) -> Result:
     """Badge, two lines and the badge's colour for the last stroke."""
     w, match, index = sight.words, contest.match, contest.shooter
     first, (badge, tone) = reason(verdict, w), counted(verdict)
+    if not contest.terms.discipline.position:
+        return badge, first, " · ".join(rack_words.facts(contest, verdict, w)), tone
     if verdict.won:
         name = player_name(contest.terms, index, w)
         sheet = match.sheets[index]
@@ -131,7 +139,8 @@ def result(contest: Contest, verdict: Verdict, sight: Sight) -> Result:
 def counted(verdict: Verdict) -> tuple[str, Colour]:
     """Badge and its colour for what a stroke counts."""
     if verdict.foul:
-        return number(verdict.points, 0), ERROR
+        counts = verdict.points or verdict.reason in COUNTED
+        return number(verdict.points, 0) if counts else "F", ERROR
     if verdict.made:
         return f"+{verdict.points}" if verdict.points else "✓", GOOD
     return "0", TEXT

@@ -20,7 +20,7 @@ from game.ui.sight import Place, Sight
 from game.ui.table import drag_aim, place_balls
 from game.ui.table.looks import ball_words, looks_of
 
-from . import aim_panel, score_plates, time_strip
+from . import aim_panel, asked_card, score_plates, time_strip
 from .parts import Panel, number
 
 # -- the row above the table ---------------------------------------------------------------------
@@ -121,9 +121,13 @@ def log_rows(
         if event.kind == "ball":
             first, second = (ball_words(b, w) for b in balls)
             said = w[hit].format(first=first, second=second)
+        elif event.kind in ("pocket", "off"):
+            words_ = {"ball": ball_words(balls[0], w), "pocket": w.get(f"pocket.{event.wall}", "")}
+            said = w[f"event.{event.kind}"].format(**words_)
         elif event.kind == "cushion":
-            side = w.get(f"wall.{event.wall}")
-            said = w["event.cushion"].format(wall=side) if side else w["event.cushion.inner"]
+            side, inner = w.get(f"wall.{event.wall}"), "event.cushion.inner"
+            inner = "event.jaw" if "pocket" in (event.wall or "") else inner
+            said = w["event.cushion"].format(wall=side) if side else w[inner]
         else:
             said = w["event.rest"]
         rows.append(cards.LogRow(number(event.time - session.began), dots(balls), said))
@@ -207,6 +211,7 @@ def shot_parts(layout: Layout) -> list[Panel]:
         Panel("head", head, _head_look, _head_draw),
         time_strip.part(layout),
         *aim_panel.parts(layout),
+        asked_card.part(layout),
         Panel("result", layout.result, _result_look, _result_draw, mode="after"),
         Panel("log", layout.log, _log_key, _log_draw, _log_touch, mode="after"),
         Panel("table", layout.bed, *table, drags=True, wheel=drag_aim.wheel),

@@ -1,0 +1,87 @@
+"""What plates and cards say of games with racks: racks and frames, groups, breaks, balls down."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from danggu.rules.verdict import Verdict
+from game.session.running_match import Contest
+from game.ui.table.looks import ball_words
+
+FRAMES = "snooker"
+
+
+def middle(contest: Contest, w: dict[str, str]) -> tuple[str, str]:
+    """What stands between the plates: the rack, the frame or the inning, and its number."""
+    if contest.terms.discipline.points:
+        return w["score.inning"], str(contest.match.inning)
+    label = w["score.frame" if contest.match.rules.key == FRAMES else "score.rack"]
+    return label, str(contest.rack)
+
+
+def points(contest: Contest, index: int) -> tuple[int, str, int | None]:
+    """A player's points, what is written beside them, and the goal of the bar if there is one."""
+    sheet, race = contest.match.sheets[index], contest.race
+    if contest.terms.discipline.points:
+        target = contest.match.players[index].target
+        return sheet.score, str(target), target
+    if _scores(contest):
+        return sheet.score, f"({race.won[index]})", None
+    return race.won[index], str(race.to), race.to if race.to > 1 else None
+
+
+def _scores(contest: Contest) -> bool:
+    """Do points count within a rack?"""
+    key = contest.match.rules.key
+    return key == FRAMES or key.endswith("pyramid")
+
+
+def won(contest: Contest, w: dict[str, str]) -> str:
+    """What the winner's plate says; "" where the number of innings is said."""
+    if contest.terms.discipline.points:
+        return ""
+    return w["score.frame.won" if contest.match.rules.key == FRAMES else "score.rack.won"]
+
+
+def line(contest: Contest, index: int, w: dict[str, str]) -> list[str]:
+    """What the plate says under a player's name; nothing for games that have no racks."""
+    match = contest.match
+    if contest.terms.discipline.position:
+        return []
+    sheet, found = match.sheets[index], []
+    if match.rules.key == "eight_ball":
+        group = match.state.group(index)
+        found.append(w[f"score.{group}" if group else "score.open.table"])
+    if match.state.warned and match.state.warned[index]:
+        return [*found, w["score.warned"]]
+    if match.at == index and match.run and _scores(contest):
+        found.append(w["score.break"].format(n=match.run))
+    elif sheet.best:
+        found.append(w["score.best.break"].format(n=sheet.best))
+    if sheet.strokes:
+        found.append(w["score.pots"].format(n=round(100 * sheet.made / sheet.strokes)))
+    if sheet.fouls:
+        found.append(w["score.fouls"].format(n=sheet.fouls))
+    return found
+
+
+def facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
+    """The second line of the card of the last stroke."""
+    said, match = [], contest.match
+    if verdict.gift:
+        said.append(w["fact.gift"].format(n=verdict.gift))
+    if verdict.down:
+        said.append(w["fact.down"].format(balls=_names(verdict.down, w)))
+    if verdict.spot:
+        said.append(w["fact.spotted"].format(balls=_names(verdict.spot, w)))
+    warned = match.state.warned
+    if verdict.foul and warned and warned[contest.shooter]:
+        return [*said, w["fact.warned"]]
+    if match.finished:
+        return [*said, w["fact.racks"].format(won=" : ".join(map(str, contest.race.won)))]
+    passes = "fact.passes" if match.at != contest.shooter else "fact.same"
+    return [*said, w[passes]]
+
+
+def _names(names: Sequence[str], w: dict[str, str]) -> str:
+    return ", ".join(name if name.isdigit() else ball_words(name, w) for name in names)
