@@ -31,10 +31,14 @@ Kind = TypeVar("Kind", bound=Sized | None)
 
 
 def a_table(thing: Kind) -> Kind:
-    """It, or None; ValueError for what knows no size of balls."""
-    size = getattr(thing, "radius", None), getattr(thing, "mass", None)
-    if thing is not None and not all(isinstance(number, float) for number in size):
+    """It, or None; ValueError for what knows no size of balls, or one that no ball has."""
+    size: tuple[Any, Any] = getattr(thing, "radius", None), getattr(thing, "mass", None)
+    if thing is None:
+        return thing
+    if not all(isinstance(number, float) for number in size):
         raise ValueError(f"a world's table is a Table, not {thing!r}")
+    positive("the radius of a table's balls", size[0])
+    sizable("the mass of a table's balls", size[1])
     return thing
 
 

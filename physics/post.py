@@ -66,6 +66,7 @@ class Pocket(Obstacle):
     shape: Shape = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
+        keep_law(self)
         object.__setattr__(self, "at", vector("Pocket.at", self.at, 2))
         keep(self, positive, "radius")
         centre = complex(*self.at)

@@ -9,6 +9,7 @@ from .wall import Obstacle, Wall
 
 OUT = 1e3  # times as far as any line: there a table that does not close ends
 REACHED = 1e-12  # of that: a line that is no farther away from the table bounds it
+ALONG = 1e-9  # how far the normals of two lines that are parallel may differ
 
 
 def check_room(thing: Obstacle, others: Sequence[Obstacle]) -> None:
@@ -44,17 +45,24 @@ def _cut(corners: list[complex], wall: Wall, out: float) -> list[complex]:
 
 def _check_lines(lines: list[Wall], new: Wall) -> None:
     """A line has no end, so a table of lines has no corner that points inward: one that is meant
-    to have one would lose more than one of its walls."""
+    to have one would lose some of its walls. A side may be moved in."""
     far = OUT * max(1.0, *(abs(line.distance((0.0, 0.0))) for line in (*lines, new)))
     before, after = inside(lines, far), inside([*lines, new], far)
     if not after:
         raise ValueError(f"no place is inside all lines with {_called(new)}")
+    if not _bounds(new, after, far):
+        raise ValueError(f"no ball can meet {_called(new)}: other lines are in front of it")
     lost = [line for line in lines if _bounds(line, before, far) and not _bounds(line, after, far)]
-    if len(lost) > 1:
+    if lost and not (len(lost) == 1 and _moves_in(new, lost[0])):
         raise ValueError(
             f"lines have no ends: behind {_called(new)} no ball can meet"
             f" {' and '.join(map(_called, lost))}; use Wall.segment for walls that end"
         )
+
+
+def _moves_in(new: Wall, old: Wall) -> bool:
+    """Is it the same side of the table, nearer?"""
+    return bool(length(new.normal - old.normal) < ALONG)
 
 
 def _bounds(line: Wall, corners: list[complex], far: float) -> bool:

@@ -277,7 +277,9 @@ def rounded(
 
 
 def keep_law(thing: Obstacle) -> None:
-    """Its law by itself, also if it was named."""
+    """Its law by itself, also if it was named; ValueError for a name that is no text."""
+    if not isinstance(thing.name, str | None):
+        raise ValueError(f"the name of a {thing.noun} must be text or None, not {thing.name!r}")
     if thing.own_law is not None:
         object.__setattr__(thing, "law", cushion_law(thing.own_law))
 

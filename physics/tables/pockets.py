@@ -128,20 +128,33 @@ def quarter(length: float, width: float, pockets: Pockets) -> Quarter:
 
 
 def check(length: float, width: float, pockets: Pockets, ball: float) -> None:
-    """ValueError for what is no Pockets, has no room on such a table, or has a way past a hole.
+    """ValueError for what is no Pockets, has no room on such a table, takes no ball, or has a way
+    past a hole.
 
     ball: the radius, m. Beside a hole's middle its centre must be in the hole wherever it fits.
     """
     if not isinstance(pockets, Pockets):
         raise ValueError(f"Table.pockets must be Pockets, not {pockets!r}")
-    quarter(length, width, pockets)
+    _check_holes(length, width, pockets)
     for mouth, turn in ((pockets.corner, 45.0), (pockets.side, 90.0)):
         deep, facing = mouth.shelf + mouth.hole, direction(mouth.facing)
+        if 0.5 * mouth.width * facing.real <= mouth.shelf * facing.imag + ball:
+            raise ValueError(f"no ball of radius {ball!r} reaches the hole of {mouth!r}")
         half = 0.5 * mouth.width - (deep * facing.imag + ball) / facing.real
         towards = direction(turn - mouth.facing)
         rounded = mouth.rounding * towards.imag / (1.0 + towards.real) * facing.real
         if half >= mouth.hole or rounded > deep:
             raise ValueError(f"a ball of radius {ball!r} could pass beside the hole of {mouth!r}")
+
+
+def _check_holes(length: float, width: float, pockets: Pockets) -> None:
+    """ValueError, naming the numbers, if two of the holes overlap."""
+    found, corner, side = quarter(length, width, pockets), pockets.corner.hole, pockets.side.hole
+    x, y = found.corner.real, found.corner.imag
+    across = abs(found.corner - found.side)
+    apart = min(x - corner, y - corner, found.side.imag - side, across - corner - side)
+    if apart < 0.0:
+        raise ValueError(f"on a table of {length!r} by {width!r} the holes of {pockets!r} overlap")
 
 
 @lru_cache(maxsize=64)

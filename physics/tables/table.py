@@ -33,8 +33,9 @@ class Table:
     kind: "carom", "pool", "snooker" or "pyramid": what is marked on it and racked.
     pockets: or None for a table without.
 
-    ValueError for what is not finite or not above zero, a kind that is none of these, and pockets
-    that leave no room for a cushion, or leave a ball a way past a hole.
+    ValueError for what is not finite or not above zero, a kind that is none of these, no room for
+    the spots and racks of its kind, and pockets that leave no room for a cushion, overlap, are too
+    narrow for a ball, or leave it a way past a hole.
     """
 
     length: float
@@ -63,6 +64,16 @@ class Table:
             from .pockets import check
 
             check(self.length, self.width, self.pockets, self.radius)
+        if self.kind != "carom":
+            self._insist_on_room()
+
+    def _insist_on_room(self) -> None:
+        """ValueError, naming its size, if its largest rack, which is the first, has no room."""
+        try:
+            self._racked(self.racks[0])
+        except ValueError as error:
+            size = f"{self.length!r} by {self.width!r} m"
+            raise ValueError(f"{self.name}, {size}: {error}") from None
 
     @property
     def obstacles(self) -> tuple[Piece, ...]:
@@ -128,19 +139,26 @@ class Table:
         are on their spots. ValueError, naming the value, for what cannot be, and where there is
         no room for so loose a rack.
         """
+        if kind not in self.racks:
+            known = ", ".join(self.racks) or "none"
+            raise ValueError(f"{self.name}: no rack {kind!r}: there is {known}")
+        places = self._racked(kind, gap, disorder, seed)
+        return [Ball(name, at, radius=self.radius, mass=self.mass) for name, at in places.items()]
+
+    def _racked(
+        self, kind: str, gap: float = 0.0, disorder: float = 0.0, seed: int | None = None
+    ) -> "dict[str, Point]":
+        """The places of a rack; ValueError for what cannot be."""
         from .racks import insist_on_room, racked
 
         marked = self._marked()
-        if kind not in marked.racks:
-            known = ", ".join(marked.racks) or "none"
-            raise ValueError(f"{self.name}: no rack {kind!r}: there is {known}")
         spot, balls = racked(kind, self.radius, gap, disorder, seed)
         x, y = marked.spots[spot]
         places = {name: (x + at.real, y + at.imag) for name, at in balls}
         if kind == "snooker":
             places |= marked.spots
         insist_on_room(places, marked.regions["anywhere"], self.radius)
-        return [Ball(name, at, radius=self.radius, mass=self.mass) for name, at in places.items()]
+        return places
 
     def world(self) -> World:
         """An empty world: the cushions, named west, east, south and north, cloth and laws.

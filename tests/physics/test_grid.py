@@ -31,7 +31,7 @@ def mixed() -> World:
     """Balls of many sizes, on cloth, in a pentagon."""
     world = gas(50, seed=3, cloth=Cloth())
     world.ball_law, world.cushion_law = laws.RoughBall(), laws.RigidCushion()
-    world.add(Wall.through((0.17, -0.11), (0.11, 0.17)))
+    world.add(Wall.through((0.17, -0.02), (0.02, 0.17)))
     return world
 
 
