@@ -5,21 +5,27 @@ from math import dist, hypot, inf
 from random import Random
 
 from physics import World
+from physics.kernel.kinds import AIRBORNE, OFF
+from physics.kernel.laws import law_at
+from physics.kernel.obstacle import SEGMENT, beside, nose
+from physics.log import State
 from physics.studies.ledger import ledger
 
 OVERLAP = 1e-12  # m
 ROUNDING = 1e-12  # of the energy
 MOMENTS = 40  # drawn by lot, and as many events
+GONE = ("off", "pocket")
 
 
 def flew(world: World) -> bool:
     """Was any ball in the air, or off the table?"""
-    return any(event.kind in ("land", "off") for event in world.log)
+    legs = (leg for ball in world.balls for leg in world.log.legs(ball.name))
+    return any(leg.phase in (AIRBORNE, OFF) for leg in legs)
 
 
 def faults(world: World) -> list[str]:
     """What went wrong in a world with flights, in words."""
-    lost_at = {event.balls[0]: event.time for event in world.log if event.kind == "off"}
+    lost_at = {event.balls[0]: event.time for event in world.log if event.kind in GONE}
     dice, end = Random(len(world.log)), min(world.time, 1.5)
     moments = [dice.uniform(0.0, end) for _ in range(MOMENTS)]
     moments += [event.time for event in world.log[:MOMENTS]]
@@ -33,7 +39,6 @@ def faults(world: World) -> list[str]:
 
 def gaps(world: World, time: float, lost_at: dict[str, float]) -> Iterator[tuple[float, str]]:
     """Of all pairs, of balls and the cloth, and of balls and noses, at a moment, m."""
-    rule = world.scene.cushion_rule
     here = [
         (world.ball(name), state, (*state.position, state.height + world.ball(name).body.lift))
         for name, state in world.log.at(time).items()
@@ -43,10 +48,25 @@ def gaps(world: World, time: float, lost_at: dict[str, float]) -> Iterator[tuple
         yield state.height, f"{ball.name} and cloth"
         for other, _, there in here[k + 1 :]:
             yield dist(place, there) - ball.radius - other.radius, f"{ball.name} and {other.name}"
-        for wall in world.walls:
-            gap, r = wall.distance(state.position) - ball.radius, ball.radius
-            nose = hypot(gap + r * rule.level, r * rule.height - state.height) - r
-            yield nose if state.height > 0.0 else gap, f"{ball.name} and {wall.name or wall}"
+        for n, wall in enumerate(world.walls):
+            if wall.pushes:
+                yield clear(world, n, state, ball.radius), f"{ball.name} and {wall.name or wall}"
+
+
+def clear(world: World, n: int, state: State, radius: float) -> float:
+    """How far a ball is from a wall's cushion, m.
+
+    What stands upright may be under a ball that flies, and in one that has come down on it; and the
+    nose of a segment, which is before it by that much, begins where the segment does.
+    """
+    shape, p = world.scene.walls[n], complex(*state.position)
+    if shape.kind > SEGMENT or not beside(shape, p):
+        return 0.0
+    if state.height == 0.0:
+        return world.walls[n].distance(state.position) - radius
+    rule = law_at(n, world.scene.rules, world.scene.cushion_rule)
+    bend = radius * (1.0 - rule.level) if shape.kind == SEGMENT else 0.0
+    return hypot(*nose(shape, p, radius, state.height, rule)) - radius + bend
 
 
 def unbalanced(world: World) -> list[str]:

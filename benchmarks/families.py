@@ -6,6 +6,7 @@ from random import Random
 
 from physics import Ball, Cloth, Shot, Wall, World, laws, scenes
 
+from .any_tables import breaks, games, images, leaps, noses, rattles, shapes, tips
 from .driven import agitated, drift, landing, pi_digits, rejected, stepped
 from .symmetry import symmetry
 from .trials import (
@@ -258,6 +259,14 @@ FAMILIES: dict[str, tuple[Family, int, int]] = {
     "landing": (landing, 500, 20),
     "agitated": (agitated, 1000, 30),
     "symmetry": (symmetry, 2000, 50),
+    "pool games": (games, 5000, 30),
+    "pool jumps": (leaps, 5000, 40),
+    "pool breaks": (breaks, 600, 6),
+    "rattles": (rattles, 5000, 60),
+    "noses": (noses, 5000, 60),
+    "tips": (tips, 5000, 70),
+    "shapes": (shapes, 5000, 40),
+    "images": (images, 5000, 50),
     "drift": (drift, 2, 0),
     "pi": (pi_digits, 4, 3),
 }

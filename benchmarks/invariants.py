@@ -12,7 +12,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from physics import Event, World, laws
+from physics.kernel.kinds import OFF
 from physics.kernel.lasting import HOP, SPREAD
+from physics.wall import Obstacle
+
+from .nearness import least
 
 OVERLAP = 1e-12  # m
 ROUNDING = 1e-12  # of the total energy or momentum
@@ -28,6 +32,7 @@ class Intervals(NamedTuple):
     times: s, (instants,).
     place, velocity, acceleration: (instants, balls), complex, m and s.
     lasts: s until the next instant, (instants,).
+    here: is the ball on the table?  (instants, balls).
     """
 
     times: Any
@@ -35,6 +40,7 @@ class Intervals(NamedTuple):
     velocity: Any
     acceleration: Any
     lasts: Any
+    here: Any
 
 
 def faults(world: World, pushed: bool = False) -> list[str]:
@@ -62,6 +68,7 @@ class Legs(NamedTuple):
     acceleration: Any
     roll: Any
     side: Any
+    here: Any  # or is it in a pocket, or off?
 
     def of(self, k: Any) -> "Legs":
         """Some of them: a mask, or an index for each."""
@@ -69,9 +76,10 @@ class Legs(NamedTuple):
 
 
 def _table(legs: list[Any]) -> Legs:
-    rows = np.array([leg[:7] for leg in legs], complex).reshape(-1, 7)
-    epoch, since, place, velocity, acceleration, roll, side = rows.T
-    return Legs(epoch.real, since.real, place, velocity, acceleration, roll, side.real)
+    rows = np.array([leg[:8] for leg in legs], complex).reshape(-1, 8)
+    epoch, since, place, velocity, acceleration, roll, side, phase = rows.T
+    here = phase.real < OFF
+    return Legs(epoch.real, since.real, place, velocity, acceleration, roll, side.real, here)
 
 
 def _epoch_faults(world: World, legs: list[Legs], epoch: float, pushed: bool) -> list[str]:
@@ -82,6 +90,7 @@ def _epoch_faults(world: World, legs: list[Legs], epoch: float, pushed: bool) ->
     times = np.unique(np.concatenate([part.since for part in parts]))
     motion = _motion(parts, times, max(end, float(times[-1])))
     found = _wall_faults(world, motion) + _pair_faults(world, motion)
+    found += _shape_faults(world, parts, epoch, end)
     return found + ([] if pushed else _jump_faults(world, parts, times, epoch))
 
 
@@ -101,9 +110,11 @@ def _motion(parts: list[Legs], times: Any, end: float) -> Intervals:
         k = np.maximum(np.searchsorted(part.since, times, side="right") - 1, 0)
         leg = part.of(k)
         t, v, a = times - leg.since, leg.velocity, leg.acceleration
-        columns.append((leg.place + t * (v + 0.5 * t * a), v + t * a, a))
-    place, velocity, acceleration = (np.array(column).T for column in zip(*columns, strict=True))
-    return Intervals(times, place, velocity, acceleration, np.diff(times, append=end))
+        columns.append((leg.place + t * (v + 0.5 * t * a), v + t * a, a, leg.here))
+    place, velocity, acceleration, here = (
+        np.array(column).T for column in zip(*columns, strict=True)
+    )
+    return Intervals(times, place, velocity, acceleration, np.diff(times, append=end), here)
 
 
 def lowest(gap: Any, speed: Any, bend: Any, lasts: Any) -> Any:
@@ -117,9 +128,12 @@ def lowest(gap: Any, speed: Any, bend: Any, lasts: Any) -> Any:
 
 
 def _wall_faults(world: World, motion: Intervals) -> list[str]:
+    """Of lines, which all balls may meet."""
     found = []
     radii = np.array([ball.radius for ball in world.balls])
     for wall in world.walls:
+        if wall.kind != "line":
+            continue
         inward = wall.normal.conjugate()
         gap = (inward * motion.place).real - wall.offset - radii
         low = lowest(
@@ -127,12 +141,57 @@ def _wall_faults(world: World, motion: Intervals) -> list[str]:
             motion.lasts[:, None],
         )  # fmt: skip
         allowed = np.minimum(gap[0], 0.0) - OVERLAP  # as it was placed
-        for k, i in zip(*np.nonzero(low < allowed), strict=True):
+        for k, i in zip(*np.nonzero(motion.here & (low < allowed)), strict=True):
             found.append(
                 f"ball {world.balls[i].name} is {-low[k, i]:.2e} m outside {wall.name or wall}"
                 f" after t = {motion.times[k]!r}"
             )
     return found[:3]
+
+
+def _shape_faults(world: World, parts: list[Legs], epoch: float, end: float) -> list[str]:
+    """Of all else: legs whose boxes touch that of the obstacle are looked at one by one."""
+    found = []
+    for ball, legs in zip(world.balls, parts, strict=True):
+        lasts = np.maximum(np.diff(legs.since, append=max(end, float(legs.since[-1]))), 0.0)
+        box = _boxes(legs, lasts, ball.radius)
+        for wall in world.walls:
+            if wall.kind == "line":
+                continue
+            radius = ball.radius if wall.pushes else 0.0  # over a hole its centre counts
+            allowed = min(0.0, wall.distance(_xy(legs.place[0])) - radius) - OVERLAP
+            for k in np.nonzero(legs.here & _touches(box, wall))[0]:
+                path = complex(legs.place[k]), complex(legs.velocity[k]), legs.acceleration[k]
+                low = least(wall.shape, path, float(lasts[k]), radius)
+                if low < allowed:
+                    where = "in" if wall.pushes else "over"
+                    found.append(
+                        f"ball {ball.name} is {-low:.2e} m {where} {wall.name or wall} after"
+                        f" t = {epoch + float(legs.since[k])!r}"
+                    )
+    return found[:3]
+
+
+def _xy(p: complex) -> tuple[float, float]:
+    return float(p.real), float(p.imag)
+
+
+def _boxes(legs: Legs, lasts: Any, radius: float) -> list[Any]:
+    """West, east, south, north of each leg."""
+    sides = []
+    for part in (np.real, np.imag):
+        p, v, a = part(legs.place), part(legs.velocity), part(legs.acceleration)
+        sides += [lowest(p, v, a, lasts) - radius, radius - lowest(-p, -v, -a, lasts)]
+    return sides
+
+
+def _touches(box: list[Any], wall: Obstacle) -> Any:
+    west, east, south, north = box
+    shape = wall.shape
+    return (
+        (west <= shape.east) & (east >= shape.west) & (south <= shape.north)
+        & (north >= shape.south)
+    )  # fmt: skip
 
 
 def _pair_faults(world: World, motion: Intervals) -> list[str]:
@@ -150,7 +209,8 @@ def _pair_faults(world: World, motion: Intervals) -> list[str]:
         line = np.exp(1j * np.angle(q + share * t * (w + 0.5 * share * t * b))).conjugate()
         low = np.maximum(low, lowest((line * q).real - reach, (line * w).real, (line * b).real, t))
     found = []
-    for k, p in zip(*np.nonzero(low < put), strict=True):
+    both = motion.here[:, first] & motion.here[:, second]
+    for k, p in zip(*np.nonzero(both & (low < put)), strict=True):
         gap = _closest(q[k, p], w[k, p], b[k, p], float(motion.lasts[k])) - reach[0, p]
         if gap < put[p]:
             names = world.balls[first[p]].name, world.balls[second[p]].name

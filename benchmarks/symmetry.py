@@ -2,35 +2,70 @@
 
 Mirrors, half turns, the order of the balls and the hour change signs and places only, not digits,
 and so must agree bit for bit. A quarter turn moves every wall and every rounding, as any other turn
-does: there the difference is multiplied at every ball hit, so it is compared before the second; and
-nothing touches at first, as rounding would decide which of two contacts of one instant comes first.
-In another order only balls may touch: a cushion and a ball touched at one instant are taken as the
-balls are listed.
+does: there the difference is multiplied at every hit of a ball or of what is round, so it is
+compared before the second; and nothing touches at first, as rounding would decide which of two
+contacts of one instant comes first. In another order only balls may touch: a cushion and a ball
+touched at one instant are taken as the balls are listed.
 """
 
 from cmath import rect
 from collections.abc import Callable
-from math import pi
+from math import degrees, pi
 from random import Random
+from typing import NamedTuple
 
-from physics import Ball, Wall, World, scenes
+from physics import Ball, Pocket, Post, Wall, World, scenes
+from physics.wall import Obstacle
 
 from .trials import Finding, Trial, push, scatter, world_of
 
 ORDER, HOUR, TURN = 2, 3, 4
-Image = Callable[[complex], complex]
+Map = Callable[[complex], complex]
 
 
-def image(world: World, of: Image, hand: float, order: list[int]) -> World:
-    """The world with every vector turned by `of`; hand is -1 for a mirror, which turns spins."""
+class Image(NamedTuple):
+    """of: where it puts a vector. hand: -1 for a mirror, which turns spins. turned: degrees."""
+
+    of: Map
+    hand: float = 1.0
+    turned: float = 0.0
+
+    def thing(self, wall: Obstacle) -> Obstacle:
+        """An obstacle in its place in the image."""
+
+        def at(p: complex) -> tuple[float, float]:
+            q = self.of(p)
+            return q.real, q.imag
+
+        if isinstance(wall, Wall):
+            return Wall(self.of(wall.normal), wall.offset, wall.name, wall.law)
+        shape, law = wall.shape, {"law": wall.own_law} if wall.pushes else {}
+        if wall.kind == "segment":
+            ends = (shape.first, shape.last) if self.hand > 0.0 else (shape.last, shape.first)
+            return Wall.segment(*map(at, ends), wall.name, **law)
+        if wall.kind == "arc":
+            ends = wall.start, wall.end  # type: ignore[attr-defined]
+            if self.hand < 0.0:
+                ends = -ends[1], -ends[0]
+            return Wall.arc(at(shape.centre), shape.size, *(x + self.turned for x in ends),
+                            wall.name, **law)  # fmt: skip
+        made = Post if wall.pushes else Pocket
+        return made(at(shape.centre), shape.size, wall.name, **law)
+
+
+MIRROR, HALF = Image(lambda z: z.conjugate(), -1.0), Image(lambda z: -z, 1.0, 180.0)
+SAME = Image(lambda z: z)
+
+
+def image(world: World, of: Image, order: list[int]) -> World:
+    """The world with everything where the image has it, and its balls in that order."""
     other = World(world.cloth, world.ball_law, world.cushion_law, world.engine, discs=world.discs)
     for wall in world.walls:
-        normal = of(wall.normal)
-        other.add(Wall(normal, wall.offset, wall.name))
+        other.add(of.thing(wall))
     for ball in (world.balls[i] for i in order):
-        p, v = of(complex(*ball.position)), of(complex(*ball.velocity))
-        w = hand * of(complex(*ball.spin[:2]))
-        spin = (w.real, w.imag, hand * ball.spin[2])
+        p, v = of.of(complex(*ball.position)), of.of(complex(*ball.velocity))
+        w = of.hand * of.of(complex(*ball.spin[:2]))
+        spin = (w.real, w.imag, of.hand * ball.spin[2])
         other.add(Ball(ball.name, (p.real, p.imag), (v.real, v.imag), spin, ball.radius, ball.mass))
     return other
 
@@ -54,22 +89,25 @@ def symmetry(k: int, dice: Random) -> Trial:
     scatter(world, dice.randrange(1, 9), dice, freely=kind in (ORDER, TURN))
     for ball in world.balls[:2]:
         push(ball, dice, 3.0)
+    return alike(world, kind, dice)
+
+
+def alike(world: World, kind: int, dice: Random) -> Trial:
+    """The world beside its image of that kind."""
     order = list(range(len(world.balls)))
     if kind == ORDER:
         dice.shuffle(order)
-    turn = rect(1.0, dice.uniform(-pi, pi))
-    images: tuple[tuple[Image, float], ...] = (
-        (lambda z: z.conjugate(), -1.0), (lambda z: -z, 1.0),
-        (lambda z: z, 1.0), (lambda z: z, 1.0), (lambda z: turn * z, 1.0),
-    )  # fmt: skip
-    of, hand = images[kind]
+    angle = dice.uniform(-pi, pi)
+    turn = rect(1.0, angle)
+    turned = Image(lambda z: turn * z, 1.0, degrees(angle))
+    of = (MIRROR, HALF, SAME, SAME, turned)[kind]
 
     def drive(world: World) -> None:
-        other = _later(world) if kind == HOUR else image(world, of, hand, order)
+        other = _later(world) if kind == HOUR else image(world, of, order)
         until = second_hit(world.copy()) if kind == TURN else None
         for each in (world, other):
             each.run() if until is None else each.run(until)
-        compare(world, other, of, 1e-9 if kind == TURN else 0.0)
+        compare(world, other, of.of, 1e-9 if kind == TURN else 0.0)
 
     return Trial(world, drive)
 
@@ -78,20 +116,24 @@ def _reordered_rack(world: World, dice: Random) -> None:
     """Order decides rounding in a cluster, so the digits are few once the balls have met again."""
     order = list(range(len(world.balls)))
     dice.shuffle(order)
-    other = image(world, lambda z: z, 1.0, order)
+    other = image(world, SAME, order)
     world.run(0.16)
     other.run(0.16)
-    compare(world, other, lambda z: z, 1e-9)
+    compare(world, other, SAME.of, 1e-9)
 
 
 def second_hit(world: World) -> float:
-    """When two balls hit each other for the second time, or a second of time has passed."""
+    """When a ball hits what is round, or an end, for the second time, or a second has passed."""
     world.run(1.0)
-    hits = [event.time for event in world.log if event.kind == "ball"]
+    lines = {wall.name for wall in world.walls if wall.kind == "line"}
+    hits = [
+        event.time for event in world.log
+        if event.kind == "ball" or (event.kind == "cushion" and event.wall not in lines)
+    ]  # fmt: skip
     return 0.5 * (hits[0] + hits[1]) if len(hits) > 1 else 1.0
 
 
-def compare(world: World, other: World, of: Image, tolerance: float) -> None:
+def compare(world: World, other: World, of: Map, tolerance: float) -> None:
     for ball in world.balls:
         p, q = of(complex(*ball.position)), complex(*other.ball(ball.name).position)
         if abs(p - q) > tolerance:

@@ -98,7 +98,10 @@ def apart(world: World, ball: Ball, new: Ball) -> float:
 def gap(ball: Ball, world: World) -> float:
     """From a ball to the nearest thing in its world, metres."""
     p = complex(*ball.position)
-    near = min((wall.distance((p.real, p.imag)) - ball.radius for wall in world.walls), default=inf)
+    near = min(
+        (wall.distance(ball.position) - wall.pushes * ball.radius for wall in world.walls),
+        default=inf,
+    )
     return min(
         [near] + [abs(complex(*b.position) - p) - apart(world, b, ball) for b in world.balls]
     )

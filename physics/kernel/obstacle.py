@@ -89,8 +89,8 @@ def unit(z):
 def beside(wall, p):
     """Is the point beside the line, the segment or the arc, and not beyond its ends?"""
     if wall.kind == SEGMENT:
-        along = (wall.inward * (wall.first - p)).imag
-        return 0.0 <= along <= wall.size
+        since, left = wall.inward * (wall.first - p), wall.inward * (p - wall.last)
+        return since.imag >= 0.0 and left.imag >= 0.0  # both ends alike, to the last bit
     if wall.kind == ARC:
         q = p - wall.centre
         return (wall.middle.conjugate() * q).real >= wall.span * length(q)
@@ -219,14 +219,12 @@ def meet_round(wall, p, v, a, radius, horizon):
     """When it meets a post, the sides of an arc, or the ends of an arc or a segment."""
     if wall.kind == POST:
         return contact_time(wall.centre - p, -v, -a, wall.size + radius, horizon)
+    wait = inf
     if wall.kind == ARC:
-        wait = min(
-            meet_inside(wall, p, v, a, wall.size - radius, horizon),
-            meet_outside(wall, p, v, a, wall.size + radius, horizon),
-        )
+        if radius < wall.size:  # or else it does not fit inside
+            wait = meet_inside(wall, p, v, a, wall.size - radius, horizon)
+        wait = min(wait, meet_outside(wall, p, v, a, wall.size + radius, horizon))
         horizon = min(horizon, wait)
-    else:
-        wait = inf
     wait = min(wait, contact_time(wall.first - p, -v, -a, radius, horizon))
     return min(wait, contact_time(wall.last - p, -v, -a, radius, horizon))
 
@@ -267,8 +265,9 @@ def meet_inside(wall, p, v, a, reach, horizon):
     time = 0.0
     for turn in range(2):
         q, w = travelled(p, v, a, time) - wall.centre, v + time * a
-        if turn == 1 or length(q) > wall.size:  # it has to come in first
-            time += contact_time(-q, -w, -a, reach, horizon - time)
+        far = length(q)
+        if turn == 1 or far > wall.size or (far > reach and not beside(wall, p)):
+            time += contact_time(-q, -w, -a, reach, horizon - time)  # it has to come in first
             if time >= horizon:
                 return inf
             q, w = travelled(p, v, a, time) - wall.centre, v + time * a
@@ -334,20 +333,20 @@ def meet_nose(wall, ball, rule, lasts):
     )
     if wait < lasts and not beside(wall, p + wait * v):
         wait = inf
+    if wall.kind == SEGMENT:  # over where it stands, so that it is over one or the other at a bend
+        across = gap + radius
     over = max(0.0, -across / speed) if speed < 0.0 and not behind else inf
-    if over < lasts and not beside(wall, p + over * v):
+    if over < lasts and clearance(wall, p + over * v, MARGIN * radius) > 0.0 and wall.kind != LINE:
         over = inf
     return wait, over
 
 
 @kernel
 def pass_over(wall, ball, lasts):
-    """When a ball in the air passes over an arc, out of its circle."""
-    p, v = ball.position, ball.velocity
-    if wall.kind != ARC or length(p - wall.centre) > wall.size:
+    """When a ball in the air passes over an arc, out of its circle; it may come in first."""
+    if wall.kind != ARC:
         return inf
-    over = rise_time(p - wall.centre, v, 0j, wall.size, lasts)
-    return over if over < lasts and beside(wall, p + over * v) else inf
+    return meet_inside(wall, ball.position, ball.velocity, 0j, wall.size, lasts)
 
 
 @kernel
@@ -356,6 +355,8 @@ def meet_upright(wall, ball, rule, lasts):
     wait = meet_round(wall, ball.position, ball.velocity, 0j, ball.radius, lasts)
     if wait >= lasts:
         return inf
+    if wall.kind == SEGMENT and beside(wall, ball.position + wait * ball.velocity):
+        return inf  # there it has a nose
     height = travelled(ball.height, ball.climb, -ball.fall, wait)
     return wait if height < ball.radius * (1.0 + rule.height) else inf
 
@@ -369,4 +370,4 @@ def nose(wall, p, radius, height, rule):
     """
     if wall.kind <= SEGMENT and beside(wall, p):
         return clearance(wall, p, radius) + radius * rule.level, radius * rule.height - height
-    return clearance(wall, p, radius) + radius, 0.0
+    return max(clearance(wall, p, 0.0), MARGIN * radius), 0.0  # though it may have come down in it

@@ -10,12 +10,13 @@ from physics.wall import Obstacle, Wall
 class Piece(NamedTuple):
     """Something fixed; points are complex numbers, m, and the middle of the table is 0.
 
-    kind: "line", "segment", "post" or "pocket".
+    kind: "line", "segment", "arc", "post" or "pocket".
     points: of a line, one of it and the normal towards the table; of a segment its ends, the table
-        on the left; of a post or a pocket the centre.
-    radius: of a post or a pocket, m.
+        on the left; of what is round the centre.
+    radius: of what is round, m.
     name: that a world knows it by.
-    part: "rail", "facing", "nose" or "hole".
+    part: "rail", "facing", "nose", "hole" or "back".
+    start, end: of an arc, degrees.
     """
 
     kind: str
@@ -23,6 +24,8 @@ class Piece(NamedTuple):
     radius: float
     name: str
     part: str
+    start: float = 0.0
+    end: float = 0.0
 
 
 def four_lines(length: float, width: float) -> tuple[Piece, ...]:
@@ -47,6 +50,11 @@ def _segment(piece: Piece) -> Obstacle:
     return Wall.segment((p.real, p.imag), (q.real, q.imag), piece.name)
 
 
+def _arc(piece: Piece) -> Obstacle:
+    (at,) = piece.points
+    return Wall.arc((at.real, at.imag), piece.radius, piece.start, piece.end, piece.name)
+
+
 def _post(piece: Piece) -> Post:
     (at,) = piece.points
     return Post((at.real, at.imag), piece.radius, piece.name)
@@ -58,7 +66,7 @@ def _pocket(piece: Piece) -> Pocket:
 
 
 SOLIDS: dict[str, Callable[[Piece], Obstacle]] = {
-    "line": _line, "segment": _segment, "post": _post, "pocket": _pocket,
+    "line": _line, "segment": _segment, "arc": _arc, "post": _post, "pocket": _pocket,
 }  # fmt: skip
 """What makes one of each kind: another kind is one more line."""
 

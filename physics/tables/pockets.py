@@ -159,9 +159,9 @@ def _check_holes(length: float, width: float, pockets: Pockets) -> None:
 
 @lru_cache(maxsize=64)
 def obstacles(length: float, width: float, pockets: Pockets) -> tuple[Piece, ...]:
-    """All that a ball can meet: rails, facings, round noses and holes."""
+    """All that a ball can meet: rails, facings, round noses, holes, and what is behind them."""
     found = quarter(length, width, pockets)
-    return (*_rails(found), *_jaws(found), *_holes(found, pockets))
+    return (*_rails(found), *_jaws(found), *_holes(found, pockets), *_backs(found))
 
 
 def _rails(found: Quarter) -> Iterator[Piece]:
@@ -181,7 +181,8 @@ def place(sx: int, sy: int) -> str:
 
 
 def _jaws(found: Quarter) -> Iterator[Piece]:
-    """Facings, the pocket on their left, and noses that are round."""
+    """Facings, the pocket on their left, and noses that are round; behind these, for balls in the
+    air, what a ball passes over that leaves the table there."""
     for sx, sy in QUARTERS:
         corner, side = f"{place(sx, sy)} pocket", f"{place(0, sy)} pocket"
         for jaw, name, left in (
@@ -196,6 +197,9 @@ def _jaws(found: Quarter) -> Iterator[Piece]:
                 yield Piece("segment", ends, 0.0, f"{name} facing", "facing")
             if mine.radius > 0.0:
                 yield Piece("post", (mine.centre,), mine.radius, f"{name} nose", "nose")
+                ends = (mine.line[0], mine.start)
+                ends = ends if left == (sx == sy) else ends[::-1]
+                yield Piece("segment", ends, 0.0, f"{name} nose, back", "back")
 
 
 def _holes(found: Quarter, pockets: Pockets) -> Iterator[Piece]:
@@ -205,6 +209,18 @@ def _holes(found: Quarter, pockets: Pockets) -> Iterator[Piece]:
     for sy in (1, -1):
         at = complex(0.0, sy * found.side.imag)
         yield Piece("pocket", (at,), pockets.side.hole, f"{place(0, sy)} pocket", "hole")
+
+
+def _backs(found: Quarter) -> Iterator[Piece]:
+    """Half circles from facing to facing behind the holes: only balls in the air come there."""
+    wide = abs(found.east.line[-1] - found.corner)
+    for (sx, sy), start in zip(QUARTERS, (-45.0, 45.0, 135.0, 225.0), strict=True):
+        at, name = _mirrored(found.corner, sx, sy), f"{place(sx, sy)} pocket, back"
+        yield Piece("arc", (at,), wide, name, "back", start, start + 180.0)
+    wide = found.middle.line[-1].real
+    for sy, start in ((1, 0.0), (-1, 180.0)):
+        at, name = complex(0.0, sy * found.side.imag), f"{place(0, sy)} pocket, back"
+        yield Piece("arc", (at,), wide, name, "back", start, start + 180.0)
 
 
 @lru_cache(maxsize=64)

@@ -29,6 +29,7 @@ POOLS = [pool(9), pool(8), pool(7)]
 ALL = [*POOLS, SNOOKER_12FT, PYRAMID_12FT]
 WINDOWS = json.loads((Path(__file__).parents[1] / "data" / "pocket_windows.json").read_text())
 EDGE = 3e-9  # inches: the file has nine decimals
+EDGES = ("rail", "facing")  # what is straight of the cushions
 CORNERS = ("north-east", "north-west", "south-west", "south-east")
 
 
@@ -125,6 +126,7 @@ def test_a_table_has_six_rails_six_holes_and_two_facings_at_each(table):
     rounded = table.pockets.corner.rounding > 0.0
     counts = {part: parts.count(part) for part in ("rail", "facing", "nose", "hole")}
     assert counts == {"rail": 6, "facing": 12, "nose": 12 * rounded, "hole": 6}
+    assert parts.count("back") == 6 + counts["nose"]
     named = [(thing.part, thing.name) for thing in table.obstacles]
     assert len({*named}) == len(named)
 
@@ -133,7 +135,7 @@ def test_a_table_has_six_rails_six_holes_and_two_facings_at_each(table):
 def test_the_table_is_on_the_left_of_every_rail_and_the_pocket_of_every_facing(table):
     holes = {thing.name: thing.points[0] for thing in table.obstacles if thing.part == "hole"}
     for thing in table.obstacles:
-        if thing.kind == "segment":
+        if thing.part in EDGES:
             p, q = thing.points
             to = 0j if thing.part == "rail" else holes[thing.name.split(",")[0]]
             assert ((q - p).conjugate() * (to - p)).imag > 0.0
@@ -142,13 +144,13 @@ def test_the_table_is_on_the_left_of_every_rail_and_the_pocket_of_every_facing(t
 @pytest.mark.parametrize("table", ALL, ids=named)
 def test_rails_noses_and_facings_join_without_a_kink(table):
     """A round nose touches the line of its rail and that of its facing, where both end."""
-    ends = [p for thing in table.obstacles if thing.kind == "segment" for p in thing.points]
+    ends = [p for thing in table.obstacles if thing.part in EDGES for p in thing.points]
     for thing in table.obstacles:
         if thing.part == "nose":
             (centre,) = thing.points
             touching = [p for p in ends if abs(abs(p - centre) - thing.radius) < 1e-14]
             assert len(touching) == 2
-            for line in (t.points for t in table.obstacles if t.kind == "segment"):
+            for line in (t.points for t in table.obstacles if t.part in EDGES):
                 if {*line} & {*touching}:
                     along = (line[1] - line[0]) / abs(line[1] - line[0])
                     away = (along.conjugate() * (centre - line[0])).imag
@@ -167,7 +169,7 @@ def test_an_outline_goes_round_the_table_once_anticlockwise_along_its_obstacles(
     )
     sides = {frozenset(pair) for pair in pairs}
     for thing in table.obstacles:
-        if thing.kind == "segment":
+        if thing.part in EDGES and thing.kind == "segment":
             assert frozenset(thing.points) in sides
     for p in edge:  # no bit of difference between its quarters
         assert p.conjugate() in edge
