@@ -104,20 +104,32 @@ class Batch:
     def __init__(self, world: World, shots: int) -> None:
         import numpy as np
 
-        from physics.batch.compiled import kernel, notes, packed
-        from physics.batch.jobs import start
+        from physics.batch.compiled import kernel, near, packed
+        from physics.batch.outcomes import contact_type
+        from physics.batch.shots import before_of
 
         world.plan()
-        rows = [start(ball) for ball in world.scene.balls]
-        balls = len(rows)
-        self.shots, self.scene, self.many = shots, packed(world.scene), kernel().calendar.many
-        self.starts = np.repeat(np.array([rows]), shots, axis=0)
-        self.rests = np.empty((shots, balls, 2))
+        n, body = len(world.balls), kernel().body
+        self.many, self.scene, self.before = (
+            kernel().calendar.many,
+            packed(world.scene),
+            before_of(world),
+        )
+        self.places, self.table, self.rests = (
+            np.empty((0, n, 2)),
+            np.empty((shots, 6)),
+            np.empty((shots, n, 2)),
+        )
         self.times, self.events = np.empty(shots), np.empty(shots, np.int64)
-        self.notes = notes(shots, 0, balls, len(world.walls))
+        self.notes = body.Notes(
+            0, np.zeros((0, 0), contact_type()), np.zeros(0, np.int64), *near(1, 0)
+        )
 
     def __call__(self) -> None:
-        self.many(self.starts, self.rests, self.times, self.events, 10**5, self.scene, self.notes)
+        self.many(
+            self.before, self.places, self.table, -1, self.rests, self.times, self.events, 10**5,
+            self.scene, self.notes,
+        )  # fmt: skip
 
     def positions(self) -> Positions:
         """Where the balls of the last shot rest."""

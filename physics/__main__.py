@@ -87,6 +87,8 @@ def idle(options: argparse.Namespace) -> str:
             return f"--rate {options.rate:g}: needs --csv FILE"
         if options.rate is not None and FINEST < options.rate < inf:
             return f"--rate {options.rate:g}: at most {FINEST:g}"
+    if getattr(options, "contacts", 0) and not options.npz:
+        return f"--contacts {options.contacts}: needs --npz FILE"
     files = {"csv": options.csv, **{k: vars(options).get(k) for k in ("png", "npz")}}
     named = [f"--{name} {file}" for name, file in files.items() if file]
     if len(named) > 1 and len({os.path.realpath(file) for file in files.values() if file}) == 1:

@@ -23,6 +23,7 @@ from physics import binding
 from physics.binding import FOLDER, load
 from physics.kernel.body import (
     COLUMNS,
+    NUMBERS,
     Band,
     Blow,
     Body,
@@ -237,10 +238,11 @@ def _play_nothing(package: ModuleType) -> None:
     collects = gc.isenabled()
     gc.disable()
     try:
-        package.elementary.directions(np.empty(0), np.empty(0, complex))
+        no = np.empty
+        notes = package.body.Notes(0, no((0, 0), contact_type()), no(0, int), *near(1, 0))
         package.calendar.many(
-            np.empty((0, 1, COLUMNS)), np.empty((0, 1, 2)), np.empty(0), np.empty(0, np.int64), 0,
-            _packed(still, package.body), _notes(0, 0, 1, 0, package.body),
+            no((1, COLUMNS)), no((0, 1, 2)), no((0, NUMBERS)), 0,
+            no((0, 1, 2)), no(0), no(0, int), 0, _packed(still, package.body), notes,
         )  # fmt: skip
     finally:
         if collects:
@@ -266,19 +268,22 @@ def records(items: list[Any], kind: Any) -> Any:
     return rows(items or [kind])[: len(items)]
 
 
-def notes(shots: int, most: int, balls: int, walls: int) -> Any:
-    """Room for the first so many contacts of every shot, for the compiled kernel."""
-    return _notes(shots, most, balls, walls, kernel().body)
-
-
-def _notes(shots: int, most: int, balls: int, walls: int, body: Any) -> Any:
+def near(balls: int, walls: int) -> tuple[Any, Any]:
+    """Room for how each ball has come away from the walls, for the kernel's notes."""
     import numpy as np
 
-    if not most:
-        shots = balls = 0
-    kept, found = np.zeros((shots, most), contact_type()), np.zeros(shots, np.int64)
-    ways = records([Way() for _ in range(balls)], Way())
-    return body.Notes(most, kept, found, ways, np.ones(balls * walls, bool))
+    return records([Way() for _ in range(balls)], Way()), np.ones(balls * walls, bool)
+
+
+def door(function: Any) -> Any:
+    """The compiled form of a function, for arguments of the types that it was compiled for: numba's
+    own way in looks at all of them first, which takes as long as eight shots."""
+    return next(iter(function.overloads.values())).entry_point
+
+
+def loaded() -> bool:
+    """Is the compiled kernel here already?"""
+    return _kernel.cache_info().currsize > 0
 
 
 def packed(scene: Scene) -> Any:

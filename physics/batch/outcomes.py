@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from functools import cache
 from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -53,6 +52,11 @@ class Outcomes(NamedTuple):
     dropped: npt.NDArray[np.int64]
     walls: tuple[str | None, ...]
 
+    @property
+    def part(self) -> Part:
+        """Its arrays alone."""
+        return Part(*self[:3], *self[4:6])
+
     def log(self, shot: int) -> list[Contact]:
         """The contacts that were kept of a shot, for rules that read the log of one.
 
@@ -71,7 +75,7 @@ class Outcomes(NamedTuple):
 
 
 class Part(NamedTuple):
-    """The outcomes of some of the shots."""
+    """The arrays of some of the shots, as in `Outcomes`."""
 
     positions: Any
     times: Any
@@ -79,18 +83,33 @@ class Part(NamedTuple):
     contacts: Any
     dropped: Any
 
+    @classmethod
+    def room(cls, shots: int, balls: int, contacts: int) -> Part:
+        """Room for so many, with no contacts yet."""
+        import numpy as np
 
-def joined(
-    parts: Iterable[Part], balls: tuple[str, ...], walls: tuple[str | None, ...]
-) -> Outcomes:
-    """The outcomes of all shots, from those of one part of them after the other."""
-    import numpy as np
+        return cls(
+            np.empty((shots, balls, 2)), np.empty(shots), np.empty(shots, np.int64),
+            np.zeros((shots, contacts), contact_type()), np.zeros(shots, np.int64),
+        )  # fmt: skip
 
-    positions, times, events, contacts, dropped = map(np.concatenate, zip(*parts, strict=True))
-    return Outcomes(positions, times, events, balls, contacts, dropped, walls)
+    def whole(self, balls: tuple[str, ...], walls: tuple[str | None, ...]) -> Outcomes:
+        """The outcomes, with the names of balls and walls."""
+        return Outcomes(*self[:3], balls, *self[3:], walls)
+
+    def cut(self, piece: slice) -> Part:
+        """The part of it for those shots, in the same memory."""
+        return Part(*(column[piece] for column in self))
+
+    def take(self, other: Part) -> None:
+        """Take over the numbers of another."""
+        for mine, its in zip(self, other, strict=True):
+            mine[...] = its
 
 
 def together(batches: list[Outcomes]) -> Outcomes:
     """One batch after the other of the same world, as one."""
-    parts = [Part(*(getattr(each, name) for name in Part._fields)) for each in batches]
-    return joined(parts, batches[0].balls, batches[0].walls)
+    import numpy as np
+
+    parts = zip(*(each.part for each in batches), strict=True)
+    return Part(*map(np.concatenate, parts)).whole(batches[0].balls, batches[0].walls)

@@ -10,6 +10,8 @@ import numpy as np
 
 from physics.ball import Placed
 from physics.checks import LARGEST, array
+from physics.kernel.body import COLUMNS
+from physics.kernel.kinds import RESTING
 from physics.kernel.leg import DOWN
 from physics.places import OVERLAP
 from physics.shot import NUMBERS, Shot
@@ -24,20 +26,22 @@ _numbers = attrgetter(*NUMBERS)
 class Asked(NamedTuple):
     """What is to be played, checked.
 
+    names: of the balls.
     struck: the number of the ball.
-    table: (shots, 5 or 6), the shots.
-    places: (shots, balls, 2) m, where the balls lie before each, or None: as in the world.
+    table: (shots, 6), the shots.
+    places: (shots, balls, 2) m, where the balls lie before each; (0, balls, 2): as in the world.
+    before: (balls, COLUMNS), how they lie or move in the world.
     """
 
+    names: tuple[str, ...]
     struck: int
     table: Any
     places: Any
+    before: Any
 
-    def pieces(self, chunk: int) -> list[tuple[Any, Any]]:
-        """The rows of both, so many at a time; at least one piece."""
-        cuts = [slice(k, k + chunk) for k in range(0, len(self.table), chunk)] or [slice(0)]
-        places = self.places
-        return [(self.table[cut], None if places is None else places[cut]) for cut in cuts]
+    def cut(self, piece: slice) -> tuple[Any, Any]:
+        """The rows of the table and the places of those shots."""
+        return self.table[piece], self.places[piece]
 
 
 def asked_of(
@@ -45,14 +49,38 @@ def asked_of(
 ) -> Asked:
     """What is to be played; ValueError, naming it, if it cannot be."""
     world.plan()
-    cue = world.ball(ball) if positions is not None else world.ball(ball).on_table()
-    struck = world.balls.index(cue)
+    names = tuple([each.name for each in world.balls])
+    cue = world.ball(ball)
+    struck = names.index(cue.name)
+    if positions is None:
+        cue.on_table()
+        table = table_of(shots, numbers, None)
+        return Asked(names, struck, table, np.empty((0, len(names), 2)), before_of(world))
     places = places_of(world, struck, positions)
-    return Asked(struck, table_of(shots, numbers, None if places is None else len(places)), places)
+    table = table_of(shots, numbers, len(places))
+    return Asked(names, struck, table, places, np.zeros((len(names), COLUMNS)))
+
+
+def before_of(world: World) -> Any:
+    """(balls, COLUMNS): how the balls of the world lie or move now, parted if they overlap."""
+    if world.clock.loose:
+        world = world.copy()
+        world.part()
+    return np.array([start(ball) for ball in world.balls]).reshape(-1, COLUMNS)
+
+
+def start(ball: Ball) -> tuple[float, ...]:
+    """How a ball lies or moves now, in the order of the kernel's columns."""
+    body = ball.body
+    if body.phase == RESTING and body.side == 0.0:  # as most do, and quicker
+        p = body.position + 0j
+        return p.real, p.imag, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    p, v, w, side, height, climb = ball.placed
+    return p.real, p.imag, v.real, v.imag, w.real, w.imag, side, height, climb
 
 
 def table_of(shots: Any, numbers: Mapping[str, Any], places: int | None) -> Any:
-    """The shots as an array (shots, 5 or 6): given as they are, or number by number.
+    """The shots as an array (shots, 6): given as they are, or number by number.
 
     places: for how many shots it has been said where the balls lie, or None.
     ValueError if one of them cannot be played, or if there are not as many as places.
@@ -68,12 +96,18 @@ def table_of(shots: Any, numbers: Mapping[str, Any], places: int | None) -> Any:
         table = _listed_shots(shots)
     if places is not None and len(table) != places:
         raise ValueError(f"there are {len(table)} shots, but positions for {places}")
-    for bad in np.flatnonzero(~((abs(table) <= LARGEST).all(axis=1) & (table[:, 0] > 0.0))):
-        try:
-            Shot(*table[bad].tolist())
-        except ValueError as error:
-            raise ValueError(f"shot {bad}: {error}") from None
     return table
+
+
+def _check(table: Any) -> None:
+    """ValueError for the first row that is no shot."""
+    if (abs(table) <= LARGEST).all() and (table[:, 0] > 0.0).all():
+        return
+    for k, row in enumerate(table.tolist()):
+        try:
+            Shot(*row)
+        except ValueError as error:
+            raise ValueError(f"shot {k}: {error}") from None
 
 
 def _listed(given: Mapping[str, Any]) -> str:
@@ -94,13 +128,18 @@ def _spread(given: Mapping[str, Any], places: int | None) -> Any:
         said = ", ".join(f"{name}= {size}" for name, size in sizes)
         more = f" for {places} positions" if places is not None else ""
         raise ValueError(f"numbers or arrays (shots,) of one length, not {said}{more}")
-    return np.stack([np.broadcast_to(each, shape) for each in columns], axis=1)
+    table = np.stack([np.broadcast_to(each, shape) for each in columns], axis=1)
+    _check(table)
+    return table
 
 
 def _listed_shots(shots: Any) -> Any:
     try:
         if not isinstance(shots, np.ndarray):
+            checked = all(type(shot) is Shot for shot in shots)
             shots = [_numbers(shot) if isinstance(shot, Shot) else shot for shot in shots]
+            if checked and shots:
+                return np.array(shots)
         table = array("shots", shots) if len(shots) else np.empty((0, 6))
     except (TypeError, ValueError):
         raise ValueError(
@@ -108,14 +147,15 @@ def _listed_shots(shots: Any) -> Any:
         ) from None
     if table.ndim != 2 or table.shape[1] not in (5, 6):
         raise ValueError(f"shots must be Shots or an array (shots, 5 or 6), not {table.shape}")
-    return table
+    if table.shape[1] == 5:
+        table = np.concatenate([table, np.zeros((len(table), 1))], axis=1)
+    _check(table)
+    return np.ascontiguousarray(table)
 
 
 def places_of(world: World, struck: int, positions: Any) -> Any:
-    """The positions as an array (shots, balls, 2), checked; None if they are None."""
-    if positions is None:
-        return None
-    places, n = array("positions", positions), len(world.balls)
+    """The positions as an array (shots, balls, 2), checked."""
+    places, n = np.ascontiguousarray(array("positions", positions)), len(world.balls)
     if places.ndim != 3 or places.shape[1:] != (n, 2):
         raise ValueError(f"positions must be an array (shots, {n}, 2), not {places.shape}")
     gone = np.isnan(places)
@@ -134,7 +174,7 @@ def places_of(world: World, struck: int, positions: Any) -> Any:
 def _check_places(world: World, struck: int, places: Any) -> None:
     """ValueError, with the number of the shot, for balls that do not fit where they are."""
     cue = world.balls[struck].name
-    spots = np.ascontiguousarray(places).view(complex)[:, :, 0]
+    spots = places.view(complex)[:, :, 0]
     for shot in np.flatnonzero(_doubtful(world, spots) | np.isnan(spots[:, struck])):
         if np.isnan(spots[shot, struck]):
             raise ValueError(f"positions of shot {shot}: ball {cue!r} is not on the table")

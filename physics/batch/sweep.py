@@ -7,12 +7,15 @@ import csv
 import re
 import sys
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager, nullcontext
 from math import floor, isfinite, prod
 from typing import TYPE_CHECKING, Any
 
 from physics.shot import NUMBERS
+
+from .many import MOST as CONTACTS
+from .many import simulate_many
 
 if TYPE_CHECKING:
     from physics.world import World
@@ -30,6 +33,7 @@ MEANING = {
 MOST = 10_000_000  # shots: the outcomes of four balls fill a gigabyte
 PIECE = 200_000  # shots that are made ready at once: 50 MB
 CROWD = 1024  # threads or processes: to start more would take longer than the work
+REACHED = 10.0  # s: a scheduler that does not answer by then is not there
 PATIENCE = 1.0  # s: what is done by then needs no bar
 
 
@@ -44,6 +48,11 @@ def add_options(one: argparse.ArgumentParser) -> None:
     many = one.add_mutually_exclusive_group()
     many.add_argument("--threads", type=count, metavar="N", help="share the work")
     many.add_argument("--processes", type=count, metavar="N", help="share the work")
+    many.add_argument("--dask", metavar="ADDRESS", help="a scheduler's: its cluster does the work")
+    one.add_argument(
+        "--contacts", type=kept, metavar="N", default=0,
+        help="of each shot that --npz keeps: who hit what, and when",
+    )  # fmt: skip
     one.add_argument("--csv", metavar="FILE", help="write a line a shot (- for the terminal)")
     one.add_argument("--npz", metavar="FILE", help="write NumPy arrays")
 
@@ -64,20 +73,24 @@ def values(text: str) -> list[float]:
     raise argparse.ArgumentTypeError(f"{text!r:.60} is no number, list 1,2,3 or range FROM:TO:STEP")
 
 
-def count(text: str) -> int:
+def count(text: str, most: int = CROWD) -> int:
     """A number of workers."""
     if re.fullmatch(r"\d{1,9}", text) and int(text) > 0:
-        if int(text) > CROWD:
-            raise argparse.ArgumentTypeError(f"{text!r} are too many: at most {CROWD}")
+        if int(text) > most:
+            raise argparse.ArgumentTypeError(f"{text!r} are too many: at most {most}")
         return int(text)
     raise argparse.ArgumentTypeError(f"{text!r:.60} is no whole number above zero")
+
+
+def kept(text: str) -> int:
+    """A number of contacts."""
+    return count(text, CONTACTS)
 
 
 def sweep(world: World, options: argparse.Namespace) -> str:
     """Play all shots and write what was asked for; returns a line about it."""
     import numpy as np
 
-    from .many import simulate_many
     from .outcomes import together
 
     ball = world.ball(options.ball) if options.ball else world.balls[0]
@@ -89,10 +102,10 @@ def sweep(world: World, options: argparse.Namespace) -> str:
     for file in files:
         open(file, "ab").close()  # before all the work, not after it
     shots = np.stack(np.meshgrid(*ranges, indexing="ij"), axis=-1).reshape(-1, len(NUMBERS))
-    with pool(options.threads, options.processes) as executor, bar(total) as progress:
+    with pool(options) as executor, bar(total) as progress:
+        how: Any = {"contacts": options.contacts, "executor": executor, "progress": progress}
         parts = [
-            simulate_many(world, ball, shots[k : k + PIECE], executor=executor, progress=progress)
-            for k in range(0, total, PIECE)
+            simulate_many(world, ball, shots[k : k + PIECE], **how) for k in range(0, total, PIECE)
         ]
     outcomes = together(parts)
     if options.npz:
@@ -104,11 +117,24 @@ def sweep(world: World, options: argparse.Namespace) -> str:
     return "; written to ".join([said, " and ".join(files)] if files else [said])
 
 
-def pool(threads: int | None, processes: int | None) -> Any:
-    """What does the work: this thread alone, threads or processes."""
-    if threads:
-        return ThreadPoolExecutor(threads)
-    return ProcessPoolExecutor(processes) if processes else nullcontext()
+def pool(options: argparse.Namespace) -> Any:
+    """What does the work: this thread alone, threads, processes or a cluster."""
+    if options.threads:
+        return ThreadPoolExecutor(options.threads)
+    if options.processes:
+        return ProcessPoolExecutor(options.processes)
+    return cluster(options.dask) if options.dask else nullcontext()
+
+
+@contextmanager
+def cluster(address: str) -> Iterator[Executor]:
+    """The workers of the Dask scheduler at that address; they need this package too."""
+    try:
+        from distributed import Client
+    except ImportError:
+        raise ImportError("--dask needs the extra `cluster`") from None
+    with Client(address, timeout=REACHED) as client:
+        yield client.get_executor()
 
 
 @contextmanager
@@ -125,10 +151,14 @@ def bar(total: int) -> Iterator[Callable[[int], object] | None]:
 
 def arrays(outcomes: Outcomes) -> dict[str, Any]:
     """What goes into a file of NumPy arrays, by name."""
-    return {
+    found: dict[str, Any] = {
         "balls": outcomes.balls, "positions": outcomes.positions, "times": outcomes.times,
         "events": outcomes.events,
     }  # fmt: skip
+    if outcomes.contacts.shape[1]:
+        found |= {"contacts": outcomes.contacts, "dropped": outcomes.dropped}
+        found["walls"] = [name or "" for name in outcomes.walls]
+    return found
 
 
 def write(file: str, shots: Any, outcomes: Outcomes) -> None:

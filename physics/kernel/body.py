@@ -6,9 +6,11 @@ from math import inf, sqrt
 from operator import attrgetter
 from typing import Any, NamedTuple
 
-# the columns of a batch: how each ball starts, and in the first two where it ends
+# the columns of a batch: how each ball lies or moves before, and in the first two where it ends
 X, Y, VX, VY, ROLL_X, ROLL_Y, SIDE, HEIGHT, CLIMB = 0, 1, 2, 3, 4, 5, 6, 7, 8
 COLUMNS = 9
+SPEED, ANGLE, FOLLOW, MASSE, ENGLISH, JUMP = 0, 1, 2, 3, 4, 5  # and those of its shots
+NUMBERS = 6
 
 CONTACTS = 7  # a ball, in a cluster: five with balls (docs/physics.md), and two walls
 
@@ -147,8 +149,9 @@ class Seat:
 
 @dataclass(slots=True, eq=False)
 class Way:
-    """A leg, kept after its ball has begun another."""
+    """A leg, kept after its ball has begun another, as long as it is near a wall."""
 
+    near: int = 0  # how many walls the ball has not left since they last touched
     since: float = 0.0
     position: complex = 0j
     velocity: complex = 0j
@@ -172,7 +175,7 @@ class Notes(NamedTuple):
     most: int  # contacts of a shot, which are kept
     contacts: Any  # (shots, most)
     found: Any  # how many each shot has had
-    ways: Any  # for each ball, the leg that it is on
+    ways: Any  # for each ball
     near: Any  # has ball i not left wall k since they last touched?  At i * walls + k
 
 

@@ -1,6 +1,7 @@
 """From event to event."""
 
-from .body import CLIMB, HEIGHT, ROLL_X, ROLL_Y, SIDE, VX, VY, X, Y
+from .beginning import lay, strike
+from .body import X, Y
 from .cluster import TOUCHING, blows, collide, crowded, crowded_near, gather
 from .contact import meeting
 from .flight import hit_aloft, hit_nose, land
@@ -27,7 +28,7 @@ from .leg import begin, brake, carry, end, reach
 from .motion import length
 from .notes import note, open_notes
 from .obstacle import facing, holds, meet_any, meet_first, meet_first_aloft, meet_framed
-from .subset import complex, inf, kernel, nan, whole
+from .subset import inf, kernel, nan, whole
 
 UNKNOWN = -1
 INSTANT = 1e-8  # s: no contact of real balls is so short; a leg that short goes nowhere
@@ -320,7 +321,7 @@ def advance(until, budget, scene, notes=None, s=0):
         if kind == UNSOLVED:
             return UNKNOWN, time
         if notes is not None and notes.most > 0:
-            note(kind, i, other, time, s, balls, scene.walls, scene.ties.contacts, notes)
+            note(kind, i, other, time, s, scene, notes)
         if kind in (CLUSTER, LASTING):
             happened = blows(other, scene.ties)
             events += happened
@@ -332,20 +333,19 @@ def advance(until, budget, scene, notes=None, s=0):
 
 
 @whole
-def many(starts, rests, times, counts, budget, scene, notes):
-    """Each shot to its rest: `starts` (shots, balls, columns), `rests` (shots, balls, 2)."""
+def many(before, places, shots, struck, rests, times, counts, budget, scene, notes):
+    """Each shot to its rest: `before` (balls, COLUMNS), `places` (shots or none, balls, 2), `shots`
+    (shots, NUMBERS) at the ball struck, or at none if that is below 0; `rests` (shots, balls, 2).
+    """
     balls = scene.balls
-    for s in range(len(starts)):
-        for i in range(len(balls)):
-            x = starts[s][i]
-            ball = balls[i]
-            ball.since = 0.0
-            ball.position, ball.velocity = complex(x[X], x[Y]), complex(x[VX], x[VY])
-            ball.roll, ball.side = complex(x[ROLL_X], x[ROLL_Y]), x[SIDE]
-            ball.height, ball.climb = x[HEIGHT], x[CLIMB]
+    for s in range(len(shots)):
+        lay(balls, before, places, s)
+        if struck >= 0:
+            strike(balls[struck], shots[s])
         plan(scene)
         if notes.most > 0:
-            open_notes(s, balls, notes)
+            notes.found[s] = 0
+            open_notes(balls, len(scene.walls), notes.ways, notes.near)
         counts[s], times[s] = advance(inf, budget, scene, notes, s)
         for i in range(len(balls)):
             gone = balls[i].phase >= OFF

@@ -7,7 +7,7 @@ last place; sources are in docs/accuracy.md, "The same digits everywhere".
 
 from math import floor, inf, ldexp
 
-from .subset import complex, elementary, kernel, whole
+from .subset import complex, elementary, kernel
 
 RADIANS = 0.017453292519943295  # in a degree, π/180
 RADIANS_HEAD, RADIANS_TAIL = 0.017453292519803654, 1.396420652344081e-13  # 36 bits, and the rest
@@ -67,13 +67,6 @@ def sin(degrees):
 def cos(degrees):
     """The cosine of an angle in degrees."""
     return direction(degrees).real
-
-
-@whole
-def directions(degrees, vectors):
-    """Many of them at once."""
-    for k in range(len(degrees)):
-        vectors[k] = direction(degrees[k])
 
 
 @elementary

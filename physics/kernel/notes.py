@@ -3,83 +3,97 @@
 from .away import leaves
 from .impulses import WALL
 from .kinds import CLUSTER, CUSHION, DROP, LASTING, LEAVE, NOTHING, PAIR
-from .subset import kernel
+from .subset import kernel, whole
 
 NO_TOUCH, BALL_TOUCH, CUSHION_TOUCH, POCKET_TOUCH, OFF_TOUCH = 0, 1, 2, 3, 4  # in the notes
 
 
 @kernel
-def open_notes(s, balls, notes):
-    """Shot s begins: every ball may lie at any wall."""
-    notes.found[s] = 0
+def open_notes(balls, walls, ways, near):
+    """A shot begins: every ball may lie at any wall."""
     for i in range(len(balls)):
-        set_off(balls[i], notes.ways[i])
-    for k in range(len(notes.near)):
-        notes.near[k] = True
+        ways[i].near = walls
+        set_off(balls[i], ways[i])
+    for k in range(len(near)):
+        near[k] = True
 
 
 @kernel
 def set_off(ball, way):
-    """The ball is on a new leg, the way."""
+    """The ball is on a new leg."""
     way.since, way.position = ball.since, ball.position
     way.velocity, way.acceleration = ball.velocity, ball.acceleration
 
 
-@kernel
-def note(kind, i, other, time, s, balls, walls, ties, notes):
+@whole
+def note(kind, i, other, time, s, scene, notes):
     """That has happened to ball i in shot s, and to what else there was in it."""
     if kind in (CLUSTER, LASTING):
-        for c in range(other):
-            part(ties[c].first, balls, walls, notes)
-            if ties[c].second > WALL:
-                part(ties[c].second, balls, walls, notes)
-        for c in range(other):
-            if ties[c].total > 0.0:
-                j = ties[c].second
-                if j > WALL:
-                    enter(PAIR, ties[c].first, j, time, s, len(walls), notes)
-                else:
-                    enter(CUSHION, ties[c].first, WALL - j, time, s, len(walls), notes)
+        note_group(other, time, s, scene.balls, scene.walls, scene.ties.contacts, notes)
     elif kind != NOTHING:
-        part(i, balls, walls, notes)
-        if kind == PAIR:
-            part(other, balls, walls, notes)
-        if kind in (PAIR, CUSHION, LEAVE, DROP):
-            enter(kind, i, other, time, s, len(walls), notes)
+        if notes.ways[i].near > 0:
+            part(i, scene.balls[i], notes.ways[i], scene.walls, notes.near)
+        if kind == PAIR and notes.ways[other].near > 0:
+            part(other, scene.balls[other], notes.ways[other], scene.walls, notes.near)
+        if kind == CUSHION:
+            at = i * len(scene.walls) + other
+            again = come_to(at, scene.balls[i], notes.ways[i], notes.near)
+            enter(CUSHION_TOUCH, again, i, other, time, s, notes.most, notes.contacts, notes.found)
+        elif kind in (PAIR, LEAVE, DROP):
+            what = BALL_TOUCH
+            if kind != PAIR:
+                what = OFF_TOUCH if kind == LEAVE else POCKET_TOUCH
+            enter(what, False, i, other, time, s, notes.most, notes.contacts, notes.found)
 
 
 @kernel
-def part(i, balls, walls, notes):
+def note_group(contacts, time, s, balls, walls, ties, notes):
+    """So many contacts of one instant."""
+    ways, near = notes.ways, notes.near
+    for c in range(contacts):
+        i, j = ties[c].first, ties[c].second
+        part(i, balls[i], ways[i], walls, near)
+        if j > WALL:
+            part(j, balls[j], ways[j], walls, near)
+    for c in range(contacts):
+        if ties[c].total > 0.0:
+            i, j = ties[c].first, ties[c].second
+            what, again = BALL_TOUCH, False
+            if j <= WALL:
+                j = WALL - j
+                what, again = CUSHION_TOUCH, come_to(i * len(walls) + j, balls[i], ways[i], near)
+            enter(what, again, i, j, time, s, notes.most, notes.contacts, notes.found)
+
+
+@kernel
+def part(i, ball, way, walls, near):
     """Ball i is on a new leg: which walls did it leave on the one before?"""
-    ball, way, n = balls[i], notes.ways[i], len(walls)
-    t = ball.since - way.since
+    t, n = ball.since - way.since, len(walls)
     for k in range(n):
-        if notes.near[n * i + k] and leaves(
+        if near[n * i + k] and leaves(
             walls[k], way.position, way.velocity, way.acceleration, t, ball.radius
         ):
-            notes.near[n * i + k] = False
+            near[n * i + k] = False
+            way.near -= 1
     set_off(ball, way)
 
 
 @kernel
-def enter(kind, i, other, time, s, walls, notes):
-    """A line about it, if there is room."""
-    again = False
-    if kind == CUSHION:
-        again = notes.near[walls * i + other]
-        notes.near[walls * i + other] = True
-    if notes.found[s] < notes.most:
-        touch = notes.contacts[s][notes.found[s]]
-        touch.kind, touch.again = touch_of(kind), again
-        touch.first, touch.second, touch.time = i, other, time
-    notes.found[s] += 1
+def come_to(at, ball, way, near):
+    """The ball has touched a wall: had it not left it?"""
+    again = near[at]
+    if not again:
+        near[at] = True
+        way.near += 1
+        set_off(ball, way)
+    return again
 
 
 @kernel
-def touch_of(kind):
-    """The kind of an event, as notes have it."""
-    if kind == PAIR:
-        return BALL_TOUCH
-    if kind == CUSHION:
-        return CUSHION_TOUCH
-    return POCKET_TOUCH if kind == DROP else OFF_TOUCH
+def enter(what, again, i, other, time, s, most, contacts, found):
+    """A line about it, if there is room."""
+    if found[s] < most:
+        touch = contacts[s][found[s]]
+        touch.kind, touch.again = what, again
+        touch.first, touch.second, touch.time = i, other, time
+    found[s] += 1

@@ -20,6 +20,7 @@ from physics import (
     simulate_many,
     tables,
 )
+from tests.support.batches import same
 
 numba = pytest.importorskip("numba", reason="compiled batches need the extra `fast`")
 
@@ -168,6 +169,74 @@ def test_the_game_and_single_shots_never_load_numba():
         "assert 'numba' not in sys.modules and 'numpy' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def alone(code):
+    """Run it in a process of its own, in which no kernel is loaded yet."""
+    import subprocess
+    import sys
+
+    start = "import sys, physics.batch.play as play\nfrom physics import *\n"
+    start += "shots = [[3.0, 0.5 * k, 0.5, 0.0, 1.5] for k in range(600)]\n"
+    end = "\nassert ('physics.compiled_kernel' in sys.modules) == loads"
+    subprocess.run([sys.executable, "-c", start + code + end], check=True)
+
+
+def test_few_shots_do_not_load_the_compiled_kernel_and_many_do():
+    alone("simulate_many(scenes.carom(), 'white', shots); loads = False")
+    alone("play.LOADING = 0.05; simulate_many(scenes.carom(), 'white', shots); loads = True")
+    alone("play.LOADING = 0.05; simulate_many(scenes.carom(), 'white', shots[:9]); loads = False")
+
+
+def test_a_kernel_that_is_loaded_plays_a_single_shot_too(monkeypatch):
+    world = scenes.carom()
+    simulate_many(world, "white", fan(1), compiled=True)
+    from physics.batch import jobs
+
+    monkeypatch.setattr(jobs.Job, "_interpreted", None)
+    assert simulate_many(world, "white", fan(1)).events[0] > 0
+
+
+def test_shots_that_were_played_to_decide_are_part_of_the_outcome(monkeypatch):
+    world, shots, done = scenes.carom(), fan(40), []
+    monkeypatch.setattr("physics.batch.jobs.loaded", lambda: False)
+    monkeypatch.setattr("physics.batch.play.LOADING", 1e-3)
+    first = simulate_many(world, "white", shots, contacts=9, progress=done.append)
+    assert done == [16, 24]
+    assert same(first, simulate_many(world, "white", shots, contacts=9, compiled=True))
+
+
+def test_threads_that_share_a_world_do_not_share_its_arrays():
+    world, shots = scenes.carom(), np.array([[3.0, k, 0.5, 0.0, 1.5] for k in range(3000)])
+    simulate_many(world, "white", shots[:1], compiled=True)
+    with ThreadPoolExecutor(4) as pool:
+        pieces = list(
+            pool.map(
+                lambda k: simulate_many(world, "white", shots[k::8], compiled=True), range(8)
+            )
+        )
+    whole = simulate_many(world, "white", shots, compiled=True)
+    for k, piece in enumerate(pieces):
+        assert np.array_equal(piece.positions, whole.positions[k::8])
+
+
+def test_a_scene_that_has_changed_is_packed_again():
+    world, shots = scenes.carom(), fan(24)
+    simulate_many(world, "white", shots, compiled=True)
+    changes = (
+        lambda: setattr(world, "cloth", Cloth(slide=0.1)),
+        lambda: setattr(world, "cushion_law", "mathavan"),
+        lambda: world.add(Wall.through((0.9, -0.635), (1.224, -0.3))),
+        lambda: world.add(Ball("new", at=(0.0, -0.4), radius=0.02)),
+        lambda: setattr(world.ball("red"), "position", (0.4, 0.1)),
+        lambda: setattr(world.ball("red"), "spin", (0.0, 0.0, 40.0)),
+    )
+    seen = [simulate_many(world, "white", shots, compiled=True)]
+    for change in changes:
+        change()
+        seen.append(simulate_many(world, "white", shots, compiled=True))
+        assert same(seen[-1], simulate_many(world, "white", shots, compiled=False))
+        assert not same(seen[-1], seen[-2])
 
 
 def test_a_cloth_without_friction_and_walls_has_no_traps():

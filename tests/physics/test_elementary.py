@@ -104,15 +104,20 @@ def test_they_compile_to_the_same_bits():
     from physics.batch import compiled
 
     package = compiled.kernel().elementary
-    own = package.exp
+    own, towards = package.exp, package.direction
 
     @numba.njit
     def exps(numbers, results):
         for k in range(len(numbers)):
             results[k] = own(numbers[k])
 
+    @numba.njit
+    def directions(degrees, vectors):
+        for k in range(len(degrees)):
+            vectors[k] = towards(degrees[k])
+
     vectors, results = np.empty(len(ANGLES), complex), np.empty(len(POWERS))
-    package.directions(np.array(ANGLES), vectors)
+    directions(np.array(ANGLES), vectors)
     exps(np.array(POWERS), results)
     assert vectors.tobytes() == np.array([direction(x) for x in ANGLES]).tobytes()
     assert results.tobytes() == np.array([exp(x) for x in POWERS]).tobytes()

@@ -18,7 +18,7 @@ from physics.batch import compiled
 from physics.kernel import body
 
 ROOT = Path(__file__).parents[2]
-TINY = "def many(*arguments):\n    pass\n\n\ndef directions(degrees, vectors):\n    pass\n"
+TINY = "def many(*arguments):\n    pass\n"
 
 
 @pytest.fixture
@@ -31,10 +31,8 @@ def source(tmp_path, monkeypatch):
     def load(name, subset):
         functions: dict = {"__name__": name}
         exec(compile(path.read_text(), str(path), "exec"), functions)
-        module = SimpleNamespace(
-            **{key: subset.whole(functions[key]) for key in ("many", "directions")}
-        )
-        return SimpleNamespace(calendar=module, elementary=module, body=body)
+        module = SimpleNamespace(many=subset.whole(functions["many"]))
+        return SimpleNamespace(calendar=module, body=body)
 
     monkeypatch.setattr(compiled, "load", load)
     for name in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME"):
@@ -146,7 +144,7 @@ def test_a_disk_that_fills_up_meanwhile_stops_nothing(step, source, home, monkey
     assert "No space left" in said[-1]
     assert not compiled.cache_folder().exists()
     assert kernel(caplog)[0].calendar.many.stats.cache_path is not None
-    assert len(code(home)) == 4
+    assert len(code(home)) == 2
 
 
 def test_a_folder_that_vanishes_meanwhile_is_made_again(source, home, monkeypatch, caplog):
@@ -158,7 +156,7 @@ def test_a_folder_that_vanishes_meanwhile_is_made_again(source, home, monkeypatc
 
     monkeypatch.setattr(compiled, "_play_nothing", vanish)
     assert kernel(caplog)[0].calendar.many.stats.cache_path is not None
-    assert len(code(home)) == 4
+    assert len(code(home)) == 2
 
 
 @pytest.mark.parametrize("kind", ["nbi", "nbc"])
@@ -180,7 +178,7 @@ def test_numba_set_to_compile_nothing_says_so_and_loses_nothing(source, home, mo
     monkeypatch.setattr(config, "DISABLE_JIT", 1)
     with pytest.raises(ImportError, match="DISABLE_JIT"):
         compiled._kernel.__wrapped__()
-    assert len(code(home)) == 4
+    assert len(code(home)) == 2
 
 
 def test_the_users_settings_of_numba_stay_as_they_were(source, home, monkeypatch, caplog):

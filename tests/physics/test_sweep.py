@@ -118,6 +118,10 @@ def test_a_range_has_both_its_ends():
         (["--speed", "1", "--processes", "100000"], "'100000' are too many: at most 1024"),
         (["--speed", "1", "--threads", "9" * 5000], "no whole number above zero"),
         (["--speed", "1", "--climb", "1", "--engine", "thesis"], "only balls on the table"),
+        (["--speed", "1", "--contacts", "5"], "--contacts 5: needs --npz FILE"),
+        (["--speed", "1", "--contacts", "-5"], "'-5' is no whole number above zero"),
+        (["--speed", "1", "--contacts", "10001"], "'10001' are too many: at most 10000"),
+        (["--speed", "1", "--dask", "a", "--threads", "1"], "not allowed with"),
     ],
 )
 def test_what_cannot_be_swept_is_said(arguments, message, capsys):
@@ -129,6 +133,43 @@ def test_what_cannot_be_swept_is_said(arguments, message, capsys):
     assert code == 2
     assert message in printed.err
     assert printed.out == ""
+
+
+def test_a_sweep_keeps_contacts(tmp_path):
+    file = tmp_path / "out.npz"
+    ranges = ["--speed", "3", "--angle", "0:330:30"]
+    assert main(["sweep", "carom", *ranges, "--contacts", "8", "--npz", str(file)]) == 0
+    shots = [Shot(3.0, float(angle)) for angle in range(0, 360, 30)]
+    wanted = simulate_many(scenes.carom(), "white", shots, contacts=8)
+    with np.load(file) as found:
+        assert np.array_equal(found["contacts"], wanted.contacts)
+        assert np.array_equal(found["dropped"], wanted.dropped)
+        assert found["walls"].tolist() == ["west", "east", "south", "north"]
+
+
+def test_the_workers_of_a_scheduler_share_a_sweep(capsys, monkeypatch):
+    distributed = pytest.importorskip("distributed", reason="needs the extra `cluster`")
+    monkeypatch.setattr("physics.batch.many.CHUNK", 5)
+    ranges = ["sweep", "carom", "--speed", "3", "--angle", "0:330:30", "--csv", "-"]
+    main(ranges)
+    alone = capsys.readouterr().out
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=False, dashboard_address=None,
+        protocol="tcp://", host="127.0.0.1",
+    ) as cluster:  # fmt: skip
+        assert main([*ranges, "--dask", cluster.scheduler_address]) == 0
+    assert capsys.readouterr().out == alone
+
+
+def test_a_scheduler_that_is_not_there_is_said(capsys, monkeypatch):
+    pytest.importorskip("distributed", reason="needs the extra `cluster`")
+    monkeypatch.setattr("physics.batch.sweep.REACHED", 0.2)
+    assert main(["sweep", "carom", "--speed", "3", "--dask", "tcp://127.0.0.1:9"]) == 2
+    assert "127.0.0.1:9" in capsys.readouterr().err
+    assert main(["sweep", "carom", "--speed", "3", "--dask", "no address"]) == 2
+    monkeypatch.setitem(__import__("sys").modules, "distributed", None)
+    assert main(["sweep", "carom", "--speed", "3", "--dask", "tcp://127.0.0.1:9"]) == 2
+    assert "needs the extra `cluster`" in capsys.readouterr().err
 
 
 def test_a_long_sweep_shows_a_bar(capsys, monkeypatch):

@@ -44,15 +44,19 @@ def cases() -> Iterator[tuple[str, World, list[Shot]]]:
 
 def overrun() -> None:
     """A table of outcomes that is too short for its shots is written over its end."""
-    from physics.batch.compiled import kernel, notes, packed
+    from physics.batch.compiled import kernel, near, packed
+    from physics.batch.outcomes import contact_type
+    from physics.batch.shots import before_of
 
     world = scenes.carom()
     world.plan()
-    starts, rests = np.zeros((2, 4, 9)), np.empty((1, 4, 2))
-    starts[:, :, 0] = 0.1 * np.arange(4)
+    shots, notes = np.ones((2, 6)), np.zeros((0, 0), contact_type())
+    kept = kernel().body.Notes(0, notes, np.zeros(0, np.int64), *near(4, len(world.walls)))
+    places, rests = np.empty((0, 4, 2)), np.empty((1, 4, 2))
     times, counts = np.empty(2), np.empty(2, np.int64)
-    kept = notes(2, 0, 4, len(world.walls))
-    kernel().calendar.many(starts, rests, times, counts, 100, packed(world.scene), kept)
+    kernel().calendar.many(
+        before_of(world), places, shots, 0, rests, times, counts, 100, packed(world.scene), kept
+    )
 
 
 def main() -> None:
