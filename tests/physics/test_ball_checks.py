@@ -160,9 +160,10 @@ def test_b11_enough_friction_stops_the_slip_and_turns_both_balls_alike():
     assert (along, upward) == pytest.approx((0.0, 0.0), abs=1e-10)
 
 
-def test_b12_the_carom_presets_hit_as_real_balls_do():  # soft
+@pytest.mark.parametrize("edition", tables.MATCH_EDITIONS)
+def test_b12_the_carom_presets_hit_as_real_balls_do(edition):  # soft
     given, expected = given_and_expected("B12")
-    law = tables.MATCH_CAROM.ball_law
+    law = tables.MATCH_EDITIONS[edition].ball_law
     assert law.e == expected["e"]
     low, high = (float(x) for x in given["cut"].split("-"))
     cuts = [low + (high - low) * k / 10 for k in range(11)]
