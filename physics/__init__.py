@@ -20,8 +20,9 @@ if TYPE_CHECKING:
     from .cue import CueStroke
     from .engines.stepping import TimeStepping
     from .files import store
-    from .studies import aim, ledger, tracks
+    from .studies import aim, tracks
     from .studies.fit import Fit, StrokeFound, fit
+    from .studies.ledger import Ledger, ledger
     from .studies.recovery import Recovered, recover
     from .studies.sensitivity import Sensitivity, sensitivity
     from .studies.tracks import Track
@@ -31,7 +32,7 @@ __version__ = "0.1.0"
 
 # loaded on first use: a program that only wants a world waits for nothing else
 MODULES = {
-    "aim": "studies.aim", "ledger": "studies.ledger", "scenes": "scenes", "store": "files.store",
+    "aim": "studies.aim", "scenes": "scenes", "store": "files.store",
     "tables": "tables", "tracks": "studies.tracks",
 }  # fmt: skip
 HOMES = {
@@ -39,7 +40,7 @@ HOMES = {
     "Recovered": "studies.recovery", "recover": "studies.recovery",
     "Sensitivity": "studies.sensitivity", "sensitivity": "studies.sensitivity",
     "Fit": "studies.fit", "StrokeFound": "studies.fit", "fit": "studies.fit",
-    "Track": "studies.tracks",
+    "Ledger": "studies.ledger", "ledger": "studies.ledger", "Track": "studies.tracks",
     "TimeStepping": "engines.stepping", "EnergyGainWarning": "watch",
 }  # fmt: skip
 
@@ -61,8 +62,9 @@ def __dir__() -> list[str]:
 
 __all__ = [
     "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning", "Event",
-    "EventBudgetError", "EventDriven", "Fit", "Leg", "Log", "Outcomes", "Placed", "Pocket", "Post",
-    "Recovered", "Sensitivity", "Shot", "State", "StrokeFound", "TimeStepping", "Track", "Wall",
-    "World", "aim", "direction", "fit", "heading", "heights", "laws", "ledger", "recover", "scenes",
-    "sensitivity", "simulate", "simulate_many", "store", "tables", "trace", "tracks",
+    "EventBudgetError", "EventDriven", "Fit", "Ledger", "Leg", "Log", "Outcomes", "Placed",
+    "Pocket", "Post", "Recovered", "Sensitivity", "Shot", "State", "StrokeFound", "TimeStepping",
+    "Track", "Wall", "World", "aim", "direction", "fit", "heading", "heights", "laws", "ledger",
+    "recover", "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables", "trace",
+    "tracks",
 ]  # fmt: skip
