@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from .engines.stepping import TimeStepping
     from .files import store
     from .studies import aim, tracks
+    from .studies.animation import Animation, animate
     from .studies.fit import Fit, StrokeFound, fit
     from .studies.ledger import Ledger, ledger
     from .studies.recovery import Recovered, recover
@@ -40,6 +41,7 @@ HOMES = {
     "Recovered": "studies.recovery", "recover": "studies.recovery",
     "Sensitivity": "studies.sensitivity", "sensitivity": "studies.sensitivity",
     "Fit": "studies.fit", "StrokeFound": "studies.fit", "fit": "studies.fit",
+    "Animation": "studies.animation", "animate": "studies.animation",
     "Ledger": "studies.ledger", "ledger": "studies.ledger", "Track": "studies.tracks",
     "TimeStepping": "engines.stepping", "EnergyGainWarning": "watch",
 }  # fmt: skip
@@ -61,10 +63,10 @@ def __dir__() -> list[str]:
 
 
 __all__ = [
-    "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning", "Event",
-    "EventBudgetError", "EventDriven", "Fit", "Ledger", "Leg", "Log", "Outcomes", "Placed",
-    "Pocket", "Post", "Recovered", "Sensitivity", "Shot", "State", "StrokeFound", "TimeStepping",
-    "Track", "Wall", "World", "aim", "direction", "fit", "heading", "heights", "laws", "ledger",
-    "recover", "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables", "trace",
-    "tracks",
+    "Animation", "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning",
+    "Event", "EventBudgetError", "EventDriven", "Fit", "Ledger", "Leg", "Log", "Outcomes",
+    "Placed", "Pocket", "Post", "Recovered", "Sensitivity", "Shot", "State", "StrokeFound",
+    "TimeStepping", "Track", "Wall", "World", "aim", "animate", "direction", "fit", "heading",
+    "heights", "laws", "ledger", "recover", "scenes", "sensitivity", "simulate", "simulate_many",
+    "store", "tables", "trace", "tracks",
 ]  # fmt: skip

@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from physics.event import Event, State, States
 from physics.kernel.kinds import AIRBORNE, ROLLING, SLIDING
 from physics.kernel.motion import faded, length
-from physics.log import Leg, Log
+from physics.log import SHOWN, Leg, Log
+from physics.markup import table
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -86,6 +87,10 @@ class Ledger(tuple[Entry, ...]):
             writer = csv.writer(file)
             writer.writerow(Entry._fields)
             writer.writerows(self)
+
+    def _repr_html_(self) -> str:
+        note = "" if len(self) <= SHOWN else f"{len(self)} entries"
+        return table(Entry._fields, self[:SHOWN], note)
 
     def __repr__(self) -> str:
         lost = ", ".join(f"{cause} {joule:.4g}" for cause, joule in self.lost().items() if joule)
