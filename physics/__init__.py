@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from .studies import aim, tracks
     from .studies.animation import Animation, animate
     from .studies.fit import Fit, StrokeFound, fit
+    from .studies.frames import columns, to_pandas, to_xarray
     from .studies.ledger import Ledger, ledger
     from .studies.recovery import Recovered, recover
     from .studies.sensitivity import Sensitivity, sensitivity
@@ -41,6 +42,7 @@ HOMES = {
     "Recovered": "studies.recovery", "recover": "studies.recovery",
     "Sensitivity": "studies.sensitivity", "sensitivity": "studies.sensitivity",
     "Fit": "studies.fit", "StrokeFound": "studies.fit", "fit": "studies.fit",
+    "columns": "studies.frames", "to_pandas": "studies.frames", "to_xarray": "studies.frames",
     "Animation": "studies.animation", "animate": "studies.animation",
     "Ledger": "studies.ledger", "ledger": "studies.ledger", "Track": "studies.tracks",
     "TimeStepping": "engines.stepping", "EnergyGainWarning": "watch",
@@ -66,7 +68,7 @@ __all__ = [
     "Animation", "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "EnergyGainWarning",
     "Event", "EventBudgetError", "EventDriven", "Fit", "Ledger", "Leg", "Log", "Outcomes",
     "Placed", "Pocket", "Post", "Recovered", "Sensitivity", "Shot", "State", "StrokeFound",
-    "TimeStepping", "Track", "Wall", "World", "aim", "animate", "direction", "fit", "heading",
-    "heights", "laws", "ledger", "recover", "scenes", "sensitivity", "simulate", "simulate_many",
-    "store", "tables", "trace", "tracks",
+    "TimeStepping", "Track", "Wall", "World", "aim", "animate", "columns", "direction", "fit",
+    "heading", "heights", "laws", "ledger", "recover", "scenes", "sensitivity", "simulate",
+    "simulate_many", "store", "tables", "to_pandas", "to_xarray", "trace", "tracks",
 ]  # fmt: skip
