@@ -36,6 +36,8 @@ from .record import (
     world_data,
 )
 
+__all__ = ["dumps", "load", "loads", "restore", "save"]
+
 NUMBERS = {name: number for number, name in PHASE_NAMES.items()}
 
 
@@ -304,3 +306,8 @@ def _body(node: Node) -> Body:
         raise ValueError(f"{node.where}.phase is {phase!r}; it must be one of {known}")
     body.phase = NUMBERS.get(phase, -1)
     return body
+
+
+def __dir__() -> list[str]:
+    """The public names, so that completion finds no other."""
+    return [*__all__]
