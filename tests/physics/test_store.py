@@ -216,7 +216,7 @@ def test_a_broken_value_is_refused_with_its_place(path):
         ("[" * 100_000, "not JSON.*nested too deep"),
         ("[]", "the whole must be an object"),
         ("3", "the whole must be an object"),
-        ('{"danggu": "song", "version": 1}', 'danggu is \'song\'; it must be "world" or "shot"'),
+        ('{"danggu": "song", "version": 1}', '\'song\'; it must be "world", "shot" or "scene"'),
         ('{"danggu": "shot", "version": 4}', "version is 4; this program reads versions 1 to 3"),
         ('{"danggu": "shot", "version": 1, "speed": -1}', "angle is missing|Shot.speed"),
     ],
