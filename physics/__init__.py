@@ -21,9 +21,12 @@ if TYPE_CHECKING:
     from .cue import CueStroke
     from .engines.stepping import TimeStepping
     from .files import store
-    from .studies import aim, ledger, tracks
+    from .studies import aim, tracks
+    from .studies.animation import Animation, animate
     from .studies.drawn import Drawn, recover_drawn
     from .studies.fit import Fit, StrokeFound, fit
+    from .studies.frames import columns, to_pandas, to_xarray
+    from .studies.ledger import Ledger, ledger
     from .studies.recovery import Recovered, recover
     from .studies.sensitivity import Sensitivity, sensitivity
     from .studies.tracks import Track
@@ -33,7 +36,7 @@ __version__ = "0.1.0"
 
 # loaded on first use: a program that only wants a world waits for nothing else
 MODULES = {
-    "aim": "studies.aim", "ledger": "studies.ledger", "scenes": "scenes", "store": "files.store",
+    "aim": "studies.aim", "scenes": "scenes", "store": "files.store",
     "tables": "tables", "tracks": "studies.tracks",
 }  # fmt: skip
 HOMES = {
@@ -42,7 +45,9 @@ HOMES = {
     "Drawn": "studies.drawn", "recover_drawn": "studies.drawn",
     "Sensitivity": "studies.sensitivity", "sensitivity": "studies.sensitivity",
     "Fit": "studies.fit", "StrokeFound": "studies.fit", "fit": "studies.fit",
-    "Track": "studies.tracks",
+    "columns": "studies.frames", "to_pandas": "studies.frames", "to_xarray": "studies.frames",
+    "Animation": "studies.animation", "animate": "studies.animation",
+    "Ledger": "studies.ledger", "ledger": "studies.ledger", "Track": "studies.tracks",
     "TimeStepping": "engines.stepping", "EnergyGainWarning": "watch",
 }  # fmt: skip
 
@@ -63,10 +68,11 @@ def __dir__() -> list[str]:
 
 
 __all__ = [
-    "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "Drawn", "EnergyGainWarning", "Event",
-    "EventBudgetError", "EventDriven", "Fit", "Leg", "Log", "Outcomes", "Placed", "Pocket", "Post",
-    "Recovered", "Sensitivity", "Shot", "State", "StrokeFound", "TimeStepping", "Track", "Wall",
-    "World", "aim", "direction", "fit", "heading", "heights", "laws", "ledger", "recover",
-    "recover_drawn", "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables",
-    "trace", "tracks",
+    "Animation", "Ball", "Cloth", "Contact", "ContactError", "CueStroke", "Drawn",
+    "EnergyGainWarning", "Event", "EventBudgetError", "EventDriven", "Fit", "Ledger", "Leg", "Log",
+    "Outcomes", "Placed", "Pocket", "Post", "Recovered", "Sensitivity", "Shot", "State",
+    "StrokeFound", "TimeStepping", "Track", "Wall", "World", "aim", "animate", "columns",
+    "direction", "fit", "heading", "heights", "laws", "ledger", "recover", "recover_drawn",
+    "scenes", "sensitivity", "simulate", "simulate_many", "store", "tables", "to_pandas",
+    "to_xarray", "trace", "tracks",
 ]  # fmt: skip

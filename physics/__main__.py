@@ -15,8 +15,9 @@ from . import commandline, laws, scenes, tables
 from .batch import sweep
 from .engines.exact import EventBudgetError, EventDriven
 from .engines.stepping import SCHEMES, TimeStepping
+from .files import store
 from .log import Event
-from .shot import NUMBERS
+from .shot import NUMBERS, Shot
 from .studies import fitting
 from .studies.trace import trace
 from .world import World
@@ -34,15 +35,12 @@ WORDS = {"exact": "exact engine", "literal": "the thesis's program", "thesis": "
 def main(argv: list[str] | None = None) -> int:
     """Exit code 0, or 2 with a message where something cannot be."""
     options = parser().parse_args(joined(sys.argv[1:] if argv is None else argv))
-    if options.command != "fit":
-        if wrong := idle(options):
-            return refuse(wrong)
-        if options.name not in scenes.SCENES:
-            return refuse(f"no scene {options.name!r}: there are {', '.join(scenes.SCENES)}")
+    if options.command != "fit" and (wrong := idle(options)):
+        return refuse(wrong)
     try:
         if options.command == "fit":
             return fit(options)
-        world = scenes.SCENES[options.name]()
+        world = begun(options.name)
         set_laws(world, options.law)
         if options.command == "scene":
             return scene(world, options)
@@ -55,6 +53,23 @@ def main(argv: list[str] | None = None) -> int:
         return refuse(str(error))
     except KeyboardInterrupt:
         return refuse("stopped")
+
+
+def begun(name: str) -> World:
+    """The scene of that name, or in that file, with its shot just struck."""
+    if name in scenes.SCENES:
+        return scenes.SCENES[name]()
+    if not name.endswith(".json"):
+        known = ", ".join(scenes.SCENES)
+        raise ValueError(f"no scene {name!r}: there are {known}, and files that end in .json")
+    thing = store.load(name)
+    if isinstance(thing, Shot):
+        raise ValueError(f"{name}: a shot alone, without a world to play it in")
+    if isinstance(thing, World):
+        return thing
+    if thing.ball is not None and thing.shot is not None:
+        thing.world.strike(thing.ball, thing.shot)
+    return thing.world
 
 
 def joined(words: list[str]) -> list[str]:
@@ -112,7 +127,7 @@ def parser() -> argparse.ArgumentParser:
     fitted.add_argument("--law", choices=CUSHIONS, help="the cushion's law")
     engines, sets = ["exact", *SCHEMES], [*LAWS, *CUSHIONS]
     for each in (one, many):
-        each.add_argument("name", metavar="NAME", help=", ".join(scenes.SCENES))
+        each.add_argument("name", metavar="NAME", help=f"{', '.join(scenes.SCENES)}, or FILE.json")
         each.add_argument("--law", choices=sets, help="cloth and laws of a table; or a cushion")
         each.add_argument("--engine", choices=engines, help="what moves the balls")
         each.add_argument("--dt", type=float, help="s, of fixed steps (1/180)")
@@ -214,7 +229,7 @@ def draw(world: World, other: World | None, options: argparse.Namespace) -> None
     from .studies import plot
 
     title = (
-        (scenes.SCENES[options.name].__doc__ or options.name)
+        (getattr(scenes.SCENES.get(options.name), "__doc__", None) or options.name)
         .split("\n")[0]
         .rstrip(".")
         .replace("`", "")

@@ -48,6 +48,12 @@ def nonnegative(name: str, value: float) -> float:
     return number
 
 
+def fraction(name: str, value: float) -> float:
+    if not 0.0 <= finite(name, value) <= 1.0:
+        raise ValueError(f"{name} must be from 0 to 1, not {value!r}")
+    return float(value)
+
+
 def whole(name: str, value: int, least: int, most: int) -> int:
     """The value as an int, or ValueError unless it is a whole number from least to most."""
     try:

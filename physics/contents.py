@@ -1,15 +1,13 @@
 """What is in a world: balls and walls, put in, taken out and looked up."""
 
-from math import fsum, inf
+from math import fsum
 from typing import Any, TypeVar
 
 from .ball import Ball, Clock
-from .kernel.body import Scene, no_grid, no_ties
+from .kernel.body import Scene, no_ties
 from .log import Log
 from .room import check_room
 from .wall import Obstacle
-
-FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
 
 Thing = TypeVar("Thing", bound=Ball | Obstacle)
 
@@ -50,20 +48,6 @@ class Contents:
         self._clock.moved = True
         self._disturb()
         return thing
-
-    def _enlist(self, ball: Ball) -> None:
-        n, body = len(self._balls) + 1, ball.body
-        if self._discs:
-            body.lift = 0.0
-        self._index[ball.name] = n - 1
-        self._balls.append(ball)
-        self.scene.balls.append(body)
-        self.log.register(ball.name, ball.mass)
-        table = [inf] * (n * n) if n <= FEW else []
-        self._clock.settle(ball.radius, first=n == 1)
-        self.scene = self.scene._replace(  # type: ignore[misc]
-            cloth=self._clock.cloth, meetings=table, ties=no_ties(n), celled=False, grid=no_grid(n)
-        )
 
     def remove(self, thing: Ball | str | Obstacle) -> Ball | Obstacle:
         """Take a ball, or the one of that name, or a wall out of the world; returns it.
@@ -144,4 +128,7 @@ class Contents:
         raise NotImplementedError
 
     def _disturb(self) -> None:
+        raise NotImplementedError
+
+    def _enlist(self, ball: Ball) -> None:
         raise NotImplementedError

@@ -18,19 +18,20 @@ from dataclasses import dataclass, replace
 from math import sqrt
 from typing import Any, ClassVar
 
-from .checks import finite, keep, nonnegative, positive
+from .checks import finite, fraction, keep, nonnegative
+from .cluster_laws import HertzCluster, cluster_law
 from .kernel import laws as kernel
 from .kernel.body import Rule
+
+__all__ = [
+    "BallLaw", "CappedCushion", "CushionLaw", "HertzCluster", "MathavanCushion", "RigidCushion",
+    "RoughBall", "SmoothBall", "ThesisBall", "ThesisCushion", "ball_law", "cluster_law",
+    "cushion_law",
+]  # fmt: skip
 
 MEASURED_SLIDE = 0.212  # the friction of the measured cloth, for a law tried without a cloth
 
 CushionState = tuple[complex, complex, float]
-
-
-def _fraction(name: str, value: float) -> float:
-    if not 0.0 <= finite(name, value) <= 1.0:
-        raise ValueError(f"{name} must be from 0 to 1, not {value!r}")
-    return float(value)
 
 
 def _nose_height(name: str, value: float) -> float:
@@ -43,7 +44,7 @@ def _keep_slopes(law: "RigidCushion | MathavanCushion | RoughBall") -> None:
     """Friction that depends on speed ends at 1, and so it must begin there too."""
     keep(law, finite, "e_slope", "mu_slope")
     if law.mu_slope:
-        keep(law, _fraction, "mu")
+        keep(law, fraction, "mu")
 
 
 def _bent(kind: int, e: float, mu: float, nose: float) -> Rule:
@@ -114,7 +115,7 @@ class RigidCushion(_CushionLaw):
     mu_slope: float = 0.0
 
     def __post_init__(self) -> None:
-        keep(self, _fraction, "e")
+        keep(self, fraction, "e")
         keep(self, nonnegative, "mu")
         keep(self, _nose_height, "nose")
         _keep_slopes(self)
@@ -146,7 +147,7 @@ class MathavanCushion(_CushionLaw):
     mu_slope: float = 0.0
 
     def __post_init__(self) -> None:
-        keep(self, _fraction, "e", "mu", *(["slide"] if self.slide is not None else []))
+        keep(self, fraction, "e", "mu", *(["slide"] if self.slide is not None else []))
         keep(self, _nose_height, "nose")
         _keep_slopes(self)
         rule = self.rule()
@@ -176,7 +177,7 @@ class ThesisCushion(_CushionLaw):
     mu: float = 0.1
 
     def __post_init__(self) -> None:
-        keep(self, _fraction, "e")
+        keep(self, fraction, "e")
         keep(self, nonnegative, "mu")
 
     def rule(self) -> Rule:
@@ -198,7 +199,7 @@ class CappedCushion(_CushionLaw):
     mu: float = 0.1
 
     def __post_init__(self) -> None:
-        keep(self, _fraction, "e")
+        keep(self, fraction, "e")
         keep(self, nonnegative, "mu")
 
     def rule(self) -> Rule:
@@ -217,7 +218,7 @@ class SmoothBall(_BallLaw):
     e_slope: float = 0.0
 
     def __post_init__(self) -> None:
-        keep(self, _fraction, "e")
+        keep(self, fraction, "e")
         keep(self, finite, "e_slope")
 
     def rule(self) -> Rule:
@@ -239,7 +240,7 @@ class RoughBall(_BallLaw):
     mu_slope: float = 0.0
 
     def __post_init__(self) -> None:
-        keep(self, _fraction, "e")
+        keep(self, fraction, "e")
         if isinstance(self.mu, str):
             if self.mu != "alciatore":
                 raise ValueError(f'RoughBall.mu must be a number or "alciatore", not {self.mu!r}')
@@ -270,31 +271,10 @@ class ThesisBall:
     e: float = 0.95
 
     def __post_init__(self) -> None:
-        keep(self, _fraction, "e")
+        keep(self, fraction, "e")
 
     def rule(self) -> Rule:
         return Rule(kernel.THESIS_BALL, self.e)
-
-
-@dataclass(frozen=True, slots=True)
-class HertzCluster:
-    """The accurate law for clusters of touching balls: contacts that are springs of Hertz.
-
-    Its equations are in physics/engines/hertz.py. Friction between the balls is the ball law's.
-    e: restitution, above 0; None is the ball law's own.
-    gap: balls closer than that, m, count as touching; real ones do below 0.1 to 0.4 mm, as a
-    contact takes time.
-    World.cluster_law takes it, with the engine EventDriven; a pair alone goes by the ball law.
-    """
-
-    e: float | None = None
-    gap: float = 1e-8
-
-    def __post_init__(self) -> None:
-        keep(self, nonnegative, "gap")
-        if self.e is not None:
-            keep(self, _fraction, "e")
-            positive("HertzCluster.e", self.e)
 
 
 BENT = RigidCushion | MathavanCushion  # laws that depend on the height of the nose
@@ -335,15 +315,6 @@ def ball_law(law: "str | BallLaw") -> BallLaw:
     }  # fmt: skip
     found: BallLaw = _law("ball law", law, names, (_CushionLaw,))
     return found
-
-
-def cluster_law(law: "str | HertzCluster | None") -> HertzCluster | None:
-    """The law itself; None stays None: groups of tied contacts under the ball law."""
-    if law == "hertz":
-        return HertzCluster()
-    if law is None or isinstance(law, HertzCluster):
-        return law
-    raise ValueError(f'cluster law must be None, "hertz" or a HertzCluster, not {law!r}')
 
 
 def _law(what: str, law: Any, names: dict[str, Callable[[], Any]], others: tuple[type, ...]) -> Any:
@@ -397,3 +368,8 @@ def ball_rule(law: BallLaw, parting: float) -> Rule:
         rule = CustomRule(Rule(kernel.CUSTOM_BALL), law)
     rule.parting = parting
     return rule
+
+
+def __dir__() -> list[str]:
+    """The public names, so that completion finds no other."""
+    return [*__all__]

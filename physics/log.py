@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Contact", "Event", "Leg", "Log", "State"]
 
+SHOWN = 30  # events, in a notebook
 EVENTS = tuple(kind.name for kind in KINDS)
 
 
@@ -235,6 +236,16 @@ class Log(Sequence[Event]):
 
     def __repr__(self) -> str:
         return f"<Log of {len(self)} events>"
+
+    def _repr_html_(self) -> str:
+        from .markup import table
+
+        head = "time, s", "event", "balls", "wall", "closing, m/s", "lost, J"
+        rows = [
+            (e.time, e.kind, ", ".join(e.balls), e.wall, e.closing, e.energy_lost)
+            for e in self[:SHOWN]
+        ]
+        return table(head, rows, f"{len(self)} events" if len(self) > SHOWN else "")
 
     @property
     def masses(self) -> list[float]:

@@ -12,6 +12,11 @@ from .shot import Shot, direction
 from .wall import Wall
 from .world import World
 
+__all__ = [
+    "SCENES", "carom", "cradle", "pi_collisions", "rack15", "single", "thesis_1", "thesis_2",
+    "thesis_3a", "thesis_3b",
+]  # fmt: skip
+
 R = tables.THESIS.radius
 
 
@@ -119,3 +124,8 @@ SCENES: dict[str, Callable[[], World]] = {
         thesis_1, thesis_2, thesis_3a, thesis_3b, single, carom, rack15, cradle, pi_collisions,
     )
 }
+
+
+def __dir__() -> list[str]:
+    """The public names, so that completion finds no other."""
+    return [*__all__]

@@ -1,10 +1,16 @@
 """A shot: the five numbers that the thesis's boxes ask for, and one for balls that jump."""
 
-from dataclasses import dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from math import copysign
 
 from .checks import finite, keep, positive
 from .kernel import elementary
+
+UNITS = {
+    "speed": "m/s", "angle": "° anticlockwise from +x", "follow": "m/s, + follow, − draw",
+    "masse": "m/s, + curves right, − left", "side": "m/s, + right english, − left",
+    "climb": "m/s upward",
+}  # fmt: skip
 
 
 def direction(degrees: float) -> complex:
@@ -59,6 +65,16 @@ class Shot:
     def __post_init__(self) -> None:
         keep(self, positive, "speed")
         keep(self, finite, "angle", "follow", "masse", "side", "climb")
+
+    def __repr__(self) -> str:
+        given = [f"{name}={value!r}" for name, value in asdict(self).items() if value]
+        return f"Shot({', '.join(given)})"
+
+    def _repr_html_(self) -> str:
+        from .markup import table
+
+        rows = [(name, value, UNITS[name]) for name, value in asdict(self).items() if value]
+        return table(("Shot", "", ""), rows)
 
     def velocity(self) -> complex:
         """m/s, in the plane of the table."""

@@ -10,7 +10,7 @@ from . import laws
 from .ball import DISTURBED, Ball, Clock, Placed, a_table
 from .checks import finite, nonnegative, truth
 from .cloth import Cloth, a_cloth
-from .contents import FEW, Contents
+from .contents import Contents
 from .engines.engine import Engine, an_engine
 from .engines.exact import EventDriven
 from .files.record import foresees
@@ -23,6 +23,8 @@ from .pictured import Pictured
 from .places import check_places
 from .shot import Shot
 from .wall import Obstacle
+
+FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
 
 
 class World(Contents, Pictured):
@@ -75,6 +77,20 @@ class World(Contents, Pictured):
             self.add(wall)
         for ball in balls:
             self.add(ball)
+
+    def _enlist(self, ball: Ball) -> None:
+        n, body = len(self._balls) + 1, ball.body
+        if self._discs:
+            body.lift = 0.0
+        self._index[ball.name] = n - 1
+        self._balls.append(ball)
+        self.scene.balls.append(body)
+        self.log.register(ball.name, ball.mass)
+        table = [inf] * (n * n) if n <= FEW else []
+        self._clock.settle(ball.radius, first=n == 1)
+        self.scene = self.scene._replace(
+            cloth=self._clock.cloth, meetings=table, ties=no_ties(n), celled=False, grid=no_grid(n)
+        )
 
     # -- how it works --------------------------------------------------------------------------
 

@@ -8,7 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
+from . import stroke as stroke
 from .balkline import Balkline
 from .carom import Carom
 from .eight_ball import EightBall
@@ -20,6 +23,19 @@ from .snooker import Snooker
 from .straight_pool import StraightPool
 from .ten_ball import TenBall
 from .verdict import Rules
+
+if TYPE_CHECKING:
+    from .match import Match, Player
+    from .stroke import Stroke
+    from .verdict import Turn, Verdict
+
+__all__ = [
+    "GAMES", "Balkline", "Carom", "EightBall", "Free", "Match", "NineBall", "Player", "Pyramid",
+    "Rules", "Sagu", "Snooker", "StraightPool", "Stroke", "TenBall", "Turn", "Verdict", "stroke",
+]  # fmt: skip
+
+HOMES = {"Match": "match", "Player": "match", "Stroke": "stroke", "Turn": "verdict",
+         "Verdict": "verdict"}  # fmt: skip
 
 GAMES: dict[str, Callable[..., Rules]] = {
     "free": Free,
@@ -46,3 +62,15 @@ RACKS = {
     **dict.fromkeys(("free-pyramid", "dynamic-pyramid", "combined-pyramid"), "pyramid"),
 }
 """What `physics.tables.Table.rack` racks for a game; the others have no rack."""
+
+
+def __getattr__(name: str) -> Any:
+    """What a match is made of is imported on first use."""
+    if name in HOMES:
+        return getattr(import_module(f".{HOMES[name]}", __name__), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    """The public names, so that completion finds no other."""
+    return [*__all__]

@@ -1,17 +1,17 @@
-"""Worlds and shots in JSON files: what is loaded goes on as what was saved, bit for bit."""
+"""Worlds, shots and scenes with what was played in them, in JSON files: what is loaded goes on as
+what was saved, bit for bit."""
 
 import json
 import os
 from collections.abc import Callable
-from dataclasses import dataclass, fields, is_dataclass
-from math import inf
+from dataclasses import fields, is_dataclass
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from physics import laws, whole_files
 from physics.ball import Ball
-from physics.checks import finite, vector
+from physics.checks import array, vector
 from physics.cloth import Cloth
 from physics.engines import exact, stepping
 from physics.kernel.body import Body
@@ -22,6 +22,8 @@ from physics.shot import Shot
 from physics.wall import Obstacle, Point, Wall
 from physics.world import World
 
+from .history import Scene, log_data, log_of, outcomes_data, outcomes_of
+from .node import Node
 from .record import (
     COMPLEX,
     DISTURBED,
@@ -36,25 +38,48 @@ from .record import (
     world_data,
 )
 
+__all__ = ["Scene", "dumps", "load", "loads", "restore", "save"]
+
 NUMBERS = {name: number for number, name in PHASE_NAMES.items()}
 
 
-def dumps(thing: World | Shot) -> str:
-    """The world or the shot as JSON text; a world without its log.
+def dumps(thing: World | Shot | Scene) -> str:
+    """The world, the shot or the scene as JSON text; a world alone without its log.
 
-    ValueError for a custom table, law or engine, which no file can hold.
+    ValueError for a custom table, law or engine, which no file can hold, and for a scene whose log
+    is of another world.
     """
+    if isinstance(thing, Scene):
+        return _scene_text(thing)
     if isinstance(thing, Shot):
         data = shot_data(thing)
     elif not isinstance(thing, World):
-        raise ValueError(f"only a World or a Shot can be saved, not {thing!r}")
+        raise ValueError(f"only a World, a Shot or a Scene can be saved, not {thing!r}")
     else:
         insist_on_names(thing)
         data = world_data(thing)
     return json.dumps(data, indent=1, allow_nan=False) + "\n"
 
 
-def loads(text: str) -> World | Shot:
+def _scene_text(scene: Scene) -> str:
+    """Its parts, the long ones each on a line of its own."""
+    insist_on_names(scene.world)
+    parts: Data = {"danggu": "scene", "version": VERSION, "world": world_data(scene.world)}
+    if scene.shot is not None:
+        parts |= {"ball": scene.ball, "shot": shot_data(scene.shot)}
+    long: Data = {}
+    if scene.log is not None:
+        long["log"] = log_data(scene.log, scene.world)
+    if scene.outcomes is not None:
+        long["outcomes"] = outcomes_data(scene.outcomes)
+    if scene.shots is not None:
+        long["shots"] = scene.shots.tolist()
+    lines = json.dumps(parts, indent=1, allow_nan=False).removesuffix("\n}")
+    more = [f',\n "{key}": {json.dumps(value, allow_nan=False)}' for key, value in long.items()]
+    return "".join([lines, *more, "\n}\n"])
+
+
+def loads(text: str) -> World | Shot | Scene:
     """The inverse of `dumps`; ValueError, saying what is wrong and where, for any other text."""
     try:
         data = json.loads(text)
@@ -65,7 +90,7 @@ def loads(text: str) -> World | Shot:
     return restore(data)
 
 
-def save(thing: World | Shot, path: str | os.PathLike[str]) -> None:
+def save(thing: World | Shot | Scene, path: str | os.PathLike[str]) -> None:
     """Write `dumps` to a file, all of it or nothing; OSError where that is impossible.
 
     A file that is there already must be a regular one, or a link to one, which stays a link.
@@ -73,7 +98,7 @@ def save(thing: World | Shot, path: str | os.PathLike[str]) -> None:
     whole_files.replace(path, dumps(thing).encode())
 
 
-def load(path: str | os.PathLike[str]) -> World | Shot:
+def load(path: str | os.PathLike[str]) -> World | Shot | Scene:
     """The inverse of `save`; ValueError, naming the file, what is wrong and where."""
     try:
         return loads(Path(path).read_text(encoding="utf-8"))
@@ -81,8 +106,8 @@ def load(path: str | os.PathLike[str]) -> World | Shot:
         raise ValueError(f"{os.fspath(path)}: {error}") from None
 
 
-def restore(data: Any) -> World | Shot:
-    """A world or a shot from plain data, such as `EventBudgetError.scene`."""
+def restore(data: Any) -> World | Shot | Scene:
+    """A world, a shot or a scene from plain data, such as `EventBudgetError.scene`."""
     node = Node(data, "")
     kind = node["danggu"].text()
     version = node["version"].value
@@ -94,9 +119,26 @@ def restore(data: Any) -> World | Shot:
         node = Node({**node.value, "discs": _unequal(node)}, "")
     if kind == "shot":
         return Shot(**{field.name: node[field.name].number() for field in fields(Shot)})
+    if kind == "scene":
+        return _scene(node)
     if kind != "world":
-        raise ValueError(f'danggu is {kind!r}; it must be "world" or "shot"')
+        raise ValueError(f'danggu is {kind!r}; it must be "world", "shot" or "scene"')
     return _world(node)
+
+
+def _scene(node: Node) -> Scene:
+    world, shot, log, outcomes, shots = _world(node["world"]), None, None, None, None
+    ball = None
+    if "shot" in node.value:
+        ball = world.ball(node["ball"].text()).name
+        shot = Shot(**{field.name: node["shot"][field.name].number() for field in fields(Shot)})
+    if "log" in node.value:
+        log = log_of(node["log"], world)
+    if "outcomes" in node.value:
+        outcomes = outcomes_of(node["outcomes"])
+    if "shots" in node.value:
+        shots = array("shots", node["shots"].value)
+    return Scene(world, ball, shot, log, outcomes, shots)
 
 
 def _unequal(node: "Node") -> bool:
@@ -113,55 +155,6 @@ def _in_the_air(data: Data) -> Data:
         down = dict.fromkeys(REAL, 0.0)
         new["balls"] = [{**down, **b} if isinstance(b, dict) else b for b in data["balls"]]
     return new
-
-
-@dataclass(frozen=True, slots=True)
-class Node:
-    """A value in the file, and where it is."""
-
-    value: Any
-    where: str
-
-    def __getitem__(self, key: Any) -> "Node":
-        where = f"{self.where}.{key}" if self.where else str(key)
-        if not isinstance(self.value, dict):
-            raise ValueError(
-                f"{self.where or 'the whole'} must be an object, not {self.value!r:.60}"
-            )
-        if key not in self.value:
-            raise ValueError(f"{where} is missing")
-        return Node(self.value[key], where)
-
-    def items(self) -> "list[Node]":
-        if not isinstance(self.value, list):
-            raise ValueError(f"{self.where} must be a list, not {self.value!r:.60}")
-        return [Node(value, f"{self.where}[{k}]") for k, value in enumerate(self.value)]
-
-    def number(self) -> float:
-        if isinstance(self.value, str | bool):
-            raise ValueError(f"{self.where} must be a number, not {self.value!r:.60}")
-        return finite(self.where, self.value)
-
-    def number_or_inf(self) -> float:
-        """JSON has no infinity: null stands for it."""
-        return inf if self.value is None else self.number()
-
-    def complex(self) -> complex:
-        return complex(*vector(self.where, [node.number() for node in self.items()], 2))
-
-    def point(self) -> Point:
-        z = self.complex()
-        return z.real, z.imag
-
-    def truth(self) -> bool:
-        if not isinstance(self.value, bool):
-            raise ValueError(f"{self.where} must be true or false, not {self.value!r:.60}")
-        return self.value
-
-    def text(self) -> str:
-        if not isinstance(self.value, str):
-            raise ValueError(f"{self.where} must be text, not {self.value!r:.60}")
-        return self.value
 
 
 READS: dict[Any, Callable[[Node], Any]] = {
@@ -306,3 +299,8 @@ def _body(node: Node) -> Body:
         raise ValueError(f"{node.where}.phase is {phase!r}; it must be one of {known}")
     body.phase = NUMBERS.get(phase, -1)
     return body
+
+
+def __dir__() -> list[str]:
+    """The public names, so that completion finds no other."""
+    return [*__all__]

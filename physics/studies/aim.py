@@ -20,6 +20,8 @@ from physics.world import World
 
 from .refining import Wanted, refined
 
+__all__ = ["Aim", "at", "bank", "kick", "to"]
+
 Point = tuple[float, float]
 Line = tuple[complex, float]  # (conj(n) * p).real = d
 RAILS = ("line", "segment")
@@ -267,3 +269,8 @@ def _short(p: complex) -> str:
 
 def _called(wall: Obstacle) -> str:
     return repr(wall.name) if wall.name else repr(wall)
+
+
+def __dir__() -> list[str]:
+    """The public names, so that completion finds no other."""
+    return [*__all__]

@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from physics.event import Event, State, States
 from physics.kernel.kinds import AIRBORNE, ROLLING, SLIDING
 from physics.kernel.motion import faded, length
-from physics.log import Leg, Log
+from physics.log import SHOWN, Leg, Log
+from physics.markup import table
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -57,8 +58,57 @@ class Entry(NamedTuple):
     height: float
 
 
-def ledger(log: Log) -> Iterator[Entry]:
+class Ledger(tuple[Entry, ...]):
     """The entries of a log, in their order; their losses and what is left add up to its start."""
+
+    __slots__ = ()
+
+    def table(self) -> "npt.NDArray[Any]":
+        """As a NumPy structured array; its fields are those of Entry."""
+        import numpy as np
+
+        longest = max((len(str(value)) for entry in self for value in entry[1:5]), default=1)
+        kinds = [(name, f"U{longest}" if kind is str else "f8")
+                 for name, kind in Entry.__annotations__.items()]  # fmt: skip
+        return np.array([tuple(entry) for entry in self], dtype=kinds)
+
+    def lost(self) -> dict[str, float]:
+        """J by cause, the greatest first: each kind of event, and "cloth"; below zero for what a
+        hand gave."""
+        causes: dict[str, list[float]] = {"cloth": [entry.cloth_lost for entry in self]}
+        for entry in self:
+            causes.setdefault(entry.kind, []).append(entry.energy_lost)
+        sums = [(fsum(losses), cause) for cause, losses in causes.items()]
+        return {cause: lost for lost, cause in sorted(sums, reverse=True)}
+
+    def write_csv(self, path: str | os.PathLike[str]) -> None:
+        """As a CSV file with a line of names; every number with all its digits."""
+        with Path(path).open("w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(Entry._fields)
+            writer.writerows(self)
+
+    def _repr_html_(self) -> str:
+        note = "" if len(self) <= SHOWN else f"{len(self)} entries"
+        return table(Entry._fields, self[:SHOWN], note)
+
+    def __repr__(self) -> str:
+        lost = ", ".join(f"{cause} {joule:.4g}" for cause, joule in self.lost().items() if joule)
+        return f"<Ledger of {len(self)} entries; J lost: {lost or 'none'}>"
+
+
+def ledger(log: Log) -> Ledger:
+    """Where the energy of what the log tells has gone.
+
+    >>> from physics import Shot, scenes, simulate
+    >>> book = ledger(simulate(scenes.carom(), "white", Shot(3.0, 1.0)).log)
+    >>> [(cause, round(joule, 2)) for cause, joule in book.lost().items() if joule > 1e-9]
+    [('cloth', 0.85), ('cushion', 0.22), ('ball', 0.06)]
+    """
+    return Ledger(_entries(log))
+
+
+def _entries(log: Log) -> Iterator[Entry]:
     book = _Book(log)
     hands = book.hands()
     for begun, numbers in groupby(range(len(log)), log.begun):
@@ -68,25 +118,6 @@ def ledger(log: Log) -> Iterator[Entry]:
         yield from book.together(begun, events)
     for hand in hands:
         yield book.by_hand(*hand)
-
-
-def table(log: Log) -> "npt.NDArray[Any]":
-    """The ledger as a NumPy structured array; its fields are those of Entry."""
-    import numpy as np
-
-    entries = [tuple(entry) for entry in ledger(log)]
-    longest = max((len(str(value)) for entry in entries for value in entry[1:5]), default=1)
-    kinds = [(name, f"U{longest}" if kind is str else "f8")
-             for name, kind in Entry.__annotations__.items()]  # fmt: skip
-    return np.array(entries, dtype=kinds)
-
-
-def write_csv(log: Log, path: str | os.PathLike[str]) -> None:
-    """The ledger as a CSV file with a line of names; every number with all its digits."""
-    with Path(path).open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(Entry._fields)
-        writer.writerows(ledger(log))
 
 
 def cloth_loss(leg: Leg, mass: float, begin: float, end: float) -> float:

@@ -3,14 +3,16 @@
 Needs matplotlib, the `plot` extra; nothing else here imports it.
 """
 
+from collections.abc import Iterable
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from weakref import WeakSet
 
+from physics.engines.engine import Movable
 from physics.log import Event
 from physics.room import inside
 from physics.wall import Obstacle, Wall
-from physics.world import World
 
 from .trace import trace
 
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+MISSING = "pictures need matplotlib: pip install 'danggu[plot]', or pip install matplotlib"
 RATE = 240  # samples a second of a path
 RAIL = 0.07  # m: the rail around the noses of the cushions
 NAMED = 4  # balls: the legend names no more than these
@@ -35,8 +38,9 @@ MARKS = {  # shape, size, word
 
 
 def picture(
-    world: World, title: str, note: str, engine: str, other: World | None = None, dashes: str = ""
-) -> "Figure":
+    world: Movable, title: str, note: str, engine: str, other: Movable | None = None,
+    dashes: str = "",
+) -> "Figure":  # fmt: skip
     """The log of the world as solid paths, on its table; that of another world dashed, beside it.
 
     engine and dashes are the words for the two in the legend.
@@ -46,9 +50,7 @@ def picture(
     try:
         from matplotlib.figure import Figure
     except ImportError:
-        raise ImportError(
-            "pictures need matplotlib: pip install 'danggu[plot]', or pip install matplotlib"
-        ) from None
+        raise ImportError(MISSING) from None
     bounds = extent(world)
     width, height = bounds[1] - bounds[0], bounds[3] - bounds[2]
     figure = Figure(figsize=(9.0, 9.0 * (height / width) + 1.25), facecolor=PAPER)
@@ -66,6 +68,53 @@ def picture(
     figure.text(0.03, 1 - 0.60 / figure.get_figheight(), note, color=INK, size=10)
     legend(figure, world, engine, dashes)
     return figure
+
+
+def onto(
+    world: Movable, axes: "Axes | None", label: str | None, balls: Iterable[str] | None
+) -> "Axes":
+    """The paths of these balls on the axes, and the table under them if it is not there yet."""
+    if axes is None:
+        try:
+            from matplotlib import pyplot
+        except ImportError:
+            raise ImportError(MISSING) from None
+        axes = pyplot.subplots(layout="constrained")[1]
+    if axes not in _laid:
+        _laid.add(axes)
+        bounds = extent(world)
+        axes.set(xlim=bounds[:2], ylim=bounds[2:], aspect="equal")
+        axes.axis("off")
+        lay_table(axes, world)
+    named = [ball.name for ball in world.balls] if balls is None else [*balls]
+    if label is None:
+        lay_paths(axes, world, dashed=False, balls=named)
+    else:
+        _lay_labelled(axes, world, label, named)
+    return axes
+
+
+_laid: "WeakSet[Any]" = WeakSet()
+"""The axes that have a table."""
+
+
+def _lay_labelled(axes: "Axes", world: Movable, label: str, balls: list[str]) -> None:
+    """All paths in the next colour of the axes, with one line of its legend."""
+    from matplotlib.patches import Circle
+
+    _, paths = trace(world, RATE)
+    colour = None
+    for i, ball in enumerate(world.balls):
+        x, y = paths[:, i, 0], paths[:, i, 1]
+        if ball.name in balls and (x != x[0]).any():
+            named = label if colour is None else None
+            (line,) = axes.plot(x, y, lw=1.6, zorder=5, label=named, color=colour)
+            colour = line.get_color()
+            spot = x[-1], y[-1]
+            axes.add_patch(Circle(spot, ball.radius, fc="none", ec=colour, lw=1.6, zorder=7))
+    if colour is None:
+        axes.plot([], [], label=label)
+    axes.legend(loc="upper right")
 
 
 def save(figure: "Figure", file: str | Path) -> None:
@@ -95,12 +144,12 @@ def box(walls: tuple[Obstacle, ...]) -> tuple[float, float, float, float]:
     return min(xs), max(xs), min(ys), max(ys)
 
 
-def extent(world: World) -> tuple[float, float, float, float]:
+def extent(world: Movable) -> tuple[float, float, float, float]:
     """West, east, south, north of the picture: the table, or the paths if that has no end."""
     corners = outline(world.walls, RAIL)
     west, east = min(p.real for p in corners), max(p.real for p in corners)
     south, north = min(p.imag for p in corners), max(p.imag for p in corners)
-    if max(east, -west, north, -south) == PLANE:
+    if world.balls and max(east, -west, north, -south) == PLANE:
         _, paths = trace(world, RATE)
         reach = 4 * max(ball.radius for ball in world.balls)
         west, south = paths.min(axis=(0, 1)) - reach
@@ -108,7 +157,7 @@ def extent(world: World) -> tuple[float, float, float, float]:
     return west - 0.02, east + 0.02, south - 0.02, north + 0.02
 
 
-def lay_table(axes: "Axes", world: World) -> None:
+def lay_table(axes: "Axes", world: Movable) -> None:
     """Rails, cloth and diamonds."""
     for colour, edge, out in ((WOOD, WOOD, RAIL), (CLOTH, NOSE, 0.0)):
         corners = outline(world.walls, out)
@@ -126,7 +175,7 @@ def lay_table(axes: "Axes", world: World) -> None:
             axes.plot(spot.real, spot.imag, "D", ms=3, color=PAPER)
 
 
-def lay_obstacles(axes: "Axes", world: World) -> None:
+def lay_obstacles(axes: "Axes", world: Movable) -> None:
     """All that is no line: pockets, posts, segments and arcs."""
     for wall in world.walls:
         points = wall.curve()
@@ -140,7 +189,7 @@ def lay_obstacles(axes: "Axes", world: World) -> None:
 # -- the balls -------------------------------------------------------------------------------------
 
 
-def colours(world: World, name: str) -> tuple[str, str]:
+def colours(world: Movable, name: str) -> tuple[str, str]:
     """Of the ball, and darker, of its edge."""
     for word, body in BODIES.items():
         if name.startswith(word):
@@ -149,13 +198,17 @@ def colours(world: World, name: str) -> tuple[str, str]:
     return OTHERS[number % len(OTHERS)], INK
 
 
-def lay_paths(axes: "Axes", world: World, dashed: bool) -> None:
-    """Every ball's way, where it began and where it is."""
+def lay_paths(
+    axes: "Axes", world: Movable, dashed: bool, balls: Iterable[str] | None = None
+) -> None:
+    """The way of these balls, or of all; where each began and where it is."""
     from matplotlib.patches import Circle
     from matplotlib.patheffects import Normal, Stroke
 
     _, paths = trace(world, RATE)
     for i, ball in enumerate(world.balls):
+        if balls is not None and ball.name not in balls:
+            continue
         body, dark = colours(world, ball.name)
         x, y = paths[:, i, 0], paths[:, i, 1]
         if dashed:
@@ -168,7 +221,7 @@ def lay_paths(axes: "Axes", world: World, dashed: bool) -> None:
         axes.add_patch(Circle((x[-1], y[-1]), ball.radius, ec=dark, lw=1.4, zorder=7, **style))
 
 
-def lay_marks(axes: "Axes", world: World) -> None:
+def lay_marks(axes: "Axes", world: Movable) -> None:
     """What happened where."""
     for event in world.log:
         if event.kind in MARKS:
@@ -180,7 +233,7 @@ def lay_mark(axes: "Axes", event: Event) -> None:
     axes.plot(*event.point, shape, ms=size, mfc=INK, mec=PAPER, mew=0.9, zorder=8)
 
 
-def legend(figure: "Figure", world: World, engine: str, dashes: str) -> None:
+def legend(figure: "Figure", world: Movable, engine: str, dashes: str) -> None:
     """What the marks and lines mean, in one row below the picture."""
     from matplotlib.lines import Line2D
 

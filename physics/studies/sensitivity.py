@@ -20,6 +20,7 @@ from physics.kernel.impulses import WALL
 from physics.kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, REST, RESTING, ROLL, ROLLING
 from physics.kernel.lasting import FEW
 from physics.log import Event
+from physics.markup import table
 from physics.shot import Shot
 from physics.simulation import simulate
 from physics.world import World
@@ -55,6 +56,9 @@ class EventSlope(NamedTuple):
     before: Array
     after: Array
 
+    def __repr__(self) -> str:
+        return f"<EventSlope of {self.event!r} by {len(self.time)} inputs>"
+
     def headings(self, after: bool = True) -> Array:
         """(balls, N): how the direction of each ball turns, radians; 0 for one that rests."""
         import numpy as np
@@ -84,6 +88,17 @@ class Sensitivity(NamedTuple):
     events: tuple[EventSlope, ...]
     rest: Array
     by: tuple[str, ...] = NUMBERS
+
+    def __repr__(self) -> str:
+        return f"<Sensitivity of {len(self.events)} events by {', '.join(self.by)}>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (f"{ball.name} {axis}", *map(float, slopes))
+            for ball, both in zip(self.world.balls, self.rest, strict=True)
+            for axis, slopes in zip("xy", both, strict=True)
+        ]
+        return table(("at rest, m, by", *self.by), rows)
 
     def covariance(self, errors: Errors) -> Array:
         """(balls, 2, 2) m²: scatter at rest, for errors of the inputs.

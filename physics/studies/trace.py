@@ -5,11 +5,12 @@ from typing import TYPE_CHECKING, Any
 
 from physics.checks import positive
 from physics.engines.engine import Movable
-from physics.moments import Course, moments
 
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
+
+    from physics.moments import Course
 
     Array = npt.NDArray[np.float64]
 
@@ -48,11 +49,15 @@ def _times(world: Movable, rate: float, times: Any, np: Any) -> Any:
     """Those given, or from the log's start to now, or a little later."""
     world.plan()  # a ball that was just placed is on a leg, too
     if times is not None:
+        from physics.moments import moments
+
         return moments("trace times", times)
     rate = positive("trace rate", rate)
     samples = ceil((world.time - world.log.start) * rate) + 1
     return world.log.start + np.arange(samples) / rate
 
 
-def _courses(world: Movable, times: Any) -> list[Course]:
+def _courses(world: Movable, times: Any) -> "list[Course]":
+    from physics.moments import Course
+
     return [Course(world.log.legs(ball.name), times) for ball in world.balls]

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
     Array = npt.NDArray[np.float64]
 
+__all__ = ["Track", "balls", "filmed", "read", "write"]
+
 SLOWEST = 20.0  # frames a second
 FASTEST = 20.0  # m/s: no ball is faster
 OUTSIDE = 0.01  # m: how far a ball may be seen inside a cushion that gives way
@@ -348,3 +350,8 @@ def filmed(
     seen += chance.normal(0.0, noise, seen.shape)
     seen[chance.random(seen.shape[:2]) < lost] = nan
     return Track(times + 10.0, seen, noise)
+
+
+def __dir__() -> list[str]:
+    """The public names, so that completion finds no other."""
+    return [*__all__]

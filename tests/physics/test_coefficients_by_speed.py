@@ -119,7 +119,7 @@ def test_the_digits_are_those_of_the_same_source_in_fifty(cushion, bound):
 @pytest.mark.parametrize("cushion", [MEASURED, BOTH])
 def test_every_joule_is_in_the_ledger(cushion):
     after = simulate(carom(cushion), "white", SHOT)
-    entries = list(ledger.ledger(after.log))
+    entries = list(ledger(after.log))
     start = entries[0].energy + entries[0].energy_lost + entries[0].cloth_lost
     lost = sum(entry.energy_lost + entry.cloth_lost for entry in entries)
     assert start - lost == pytest.approx(entries[-1].energy, abs=1e-12 * start)

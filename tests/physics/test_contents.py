@@ -131,7 +131,7 @@ def test_the_energy_of_a_world_is_what_the_ledger_has_left(shot):
     speed = shot.speed**2 + shot.climb**2
     assert started == pytest.approx(0.5 * white.mass * speed + 0.2 * white.mass * roll, rel=1e-14)
     whole = simulate(scenes.carom(), "white", shot)
-    left = {entry.time: entry.energy for entry in ledger.ledger(whole.log)}  # the last of each
+    left = {entry.time: entry.energy for entry in ledger(whole.log)}  # the last of each
     for time in [*left][:9]:
         world.run(until=time)
         assert world.energy == pytest.approx(left[time], rel=1e-12)

@@ -5,8 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from physics import Ball, Cloth, Shot, World, heights, laws, simulate, tables, trace
-from physics.studies.ledger import ledger, table
+from physics import Ball, Cloth, Shot, World, heights, laws, ledger, simulate, tables, trace
 
 RADIUS, MASS = 0.03075, 0.21
 
@@ -59,7 +58,7 @@ def test_a_hit_aloft_shows_its_height_and_its_speeds_in_space():
     speeds = hit.speed_before, hit.other_before, hit.speed_after, hit.other_after
     fast = math.hypot(4.0, falling)
     assert speeds == pytest.approx((fast, falling, falling, fast), rel=1e-13)
-    assert table(world.log)["height"].max() == hit.height
+    assert ledger(world.log).table()["height"].max() == hit.height
 
 
 # -- heights for plots

@@ -336,7 +336,7 @@ def test_a_nine_ball_break_keeps_its_ledger_and_leaves_each_ball_on_the_table_or
         after = simulate(world, "cue", Shot(9.0, 0.5 * k - 3.0))
         assert {ball.phase for ball in after.balls} <= {"resting", "pocketed"}
         down += sum(event.kind == "pocket" for event in after.log)
-        entries = list(ledger.ledger(after.log))
+        entries = list(ledger(after.log))
         lost = fsum(entry.energy_lost + entry.cloth_lost for entry in entries)
         given = 0.5 * world.table.mass * 9.0**2
         assert lost + entries[-1].energy == pytest.approx(given, abs=1e-12)

@@ -26,6 +26,7 @@ from physics import (
     tables,
 )
 from physics.files.record import PAGE
+from physics.studies.ledger import Entry
 
 SHOT = Shot(3.0, 37.0, follow=0.5, side=1.5)
 
@@ -215,7 +216,7 @@ def test_a_broken_value_is_refused_with_its_place(path):
         ("[" * 100_000, "not JSON.*nested too deep"),
         ("[]", "the whole must be an object"),
         ("3", "the whole must be an object"),
-        ('{"danggu": "song", "version": 1}', 'danggu is \'song\'; it must be "world" or "shot"'),
+        ('{"danggu": "song", "version": 1}', '\'song\'; it must be "world", "shot" or "scene"'),
         ('{"danggu": "shot", "version": 4}', "version is 4; this program reads versions 1 to 3"),
         ('{"danggu": "shot", "version": 1, "speed": -1}', "angle is missing|Shot.speed"),
     ],
@@ -286,7 +287,7 @@ def open_balance(world):
     start = fsum(
         log.legs(name)[0].energy(mass) for name, mass in zip(log.names, log.masses, strict=True)
     )
-    entries = list(ledger.ledger(log))
+    entries = list(ledger(log))
     losses = [entry.energy_lost + entry.cloth_lost for entry in entries]
     whole = max(start, *(entry.energy for entry in entries))
     assert whole > 0.0
@@ -311,7 +312,7 @@ def test_the_energies_of_a_tight_rack_add_up_at_every_contact_of_the_cluster():
         world = scenes.rack15(gap=0.0)
         world.cluster_law = law
         world.run()
-        entries = list(ledger.ledger(world.log))
+        entries = list(ledger(world.log))
         instants = [entry.time for entry in entries if entry.kind == "ball"]
         assert instants.count(instants[0]) > 10
         assert open_balance(world) < 1e-12
@@ -334,14 +335,14 @@ def test_the_energies_of_random_scenes_add_up_whoever_meddles(seed):
     world.strike(world.log[-1].balls[0], Shot(1.0, 10.0, side=1.0))
     world.run()
     assert open_balance(world) < 1e-12
-    kinds = [entry.kind for entry in ledger.ledger(world.log)]
+    kinds = [entry.kind for entry in ledger(world.log)]
     assert kinds.count("hand") == 2
     assert len(kinds) == len(world.log) + 2
 
 
 def test_an_entry_says_what_its_event_says():
     world = simulate(scenes.carom(), "white", SHOT)
-    for entry, event in zip(ledger.ledger(world.log), world.log, strict=True):
+    for entry, event in zip(ledger(world.log), world.log, strict=True):
         assert (entry.time, entry.kind, entry.ball) == (event.time, event.kind, event.balls[0])
         assert (entry.wall or None, (entry.x, entry.y)) == (event.wall, event.point)
         speed = np.hypot(*event.before[0].velocity), np.hypot(*event.after[0].velocity)
@@ -353,16 +354,16 @@ def test_an_entry_says_what_its_event_says():
 
 def test_the_table_and_the_csv_file_hold_the_whole_ledger(tmp_path):
     world = simulate(scenes.carom(), "white", SHOT)
-    entries = list(ledger.ledger(world.log))
-    array = ledger.table(world.log)
-    assert array.dtype.names == ledger.Entry._fields
+    entries = list(ledger(world.log))
+    array = ledger(world.log).table()
+    assert array.dtype.names == Entry._fields
     assert [tuple(row) for row in array.tolist()] == [tuple(entry) for entry in entries]
-    ledger.write_csv(world.log, tmp_path / "shot.csv")
+    ledger(world.log).write_csv(tmp_path / "shot.csv")
     with (tmp_path / "shot.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert [float(row["energy"]) for row in rows] == [entry.energy for entry in entries]
     assert [row["wall"] for row in rows] == [entry.wall for entry in entries]
-    assert len(ledger.table(World().log)) == 0
+    assert len(ledger(World().log).table()) == 0
     assert inf not in array["time"]
 
 
@@ -391,3 +392,14 @@ def test_a_file_without_a_table_is_refused_by_its_name(tmp_path):
         tables.save(World(), path)
     with pytest.raises(FileNotFoundError):
         tables.load(tmp_path / "none.json")
+
+
+def test_the_ledger_sums_what_was_lost_by_cause():
+    world = simulate(scenes.carom(), "white", SHOT)
+    lost = ledger(world.log).lost()
+    assert {*lost} == {"cloth", *(event.kind for event in world.log)}
+    assert [*lost.values()] == sorted(lost.values(), reverse=True)
+    start = world.log.legs("white")[0].energy(world.ball("white").mass)
+    assert fsum(lost.values()) == pytest.approx(start, rel=1e-12)
+    assert repr(ledger(world.log)).startswith(f"<Ledger of {len(world.log)} entries; J lost: c")
+    assert repr(ledger(World().log)) == "<Ledger of 0 entries; J lost: none>"

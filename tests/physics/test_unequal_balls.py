@@ -160,7 +160,7 @@ def test_an_oversize_cue_ball_hits_low_on_the_object_ball_and_follows_it():
 def test_the_ledger_of_a_shot_among_unequal_balls_adds_up():
     world = heap()
     world.run()
-    entries = list(ledger.ledger(world.log))
+    entries = list(ledger(world.log))
     masses = dict(zip(world.log.names, world.log.masses, strict=True))
     start = sum(world.log.legs(name)[0].energy(mass) for name, mass in masses.items())
     lost = math.fsum(entry.energy_lost + entry.cloth_lost for entry in entries)
