@@ -27,6 +27,7 @@ from .rotation import (
 from .shades import shades
 from .shadows import Shadows
 from .sheet import Sheet, Turn
+from .wells import Wells
 
 CELLS = (17, 9)
 """Light changes in steps of this many cells along and across the table."""
@@ -43,7 +44,7 @@ class Spot(NamedTuple):
 
     ball: its place among the balls.
     at: (x, y), m.
-    height: above the cloth, m.
+    height: above the cloth, m; below it is negative.
     """
 
     ball: int
@@ -72,6 +73,8 @@ class BallSprites:
         self._px = [r * layout.scale for r in radii]
         self.px = max(self._px, default=RADIUS * layout.scale)
         """Radius of the largest, px."""
+        self.wells: Wells | None = None
+        """The holes that they fall into."""
         self._orientations = [_racked(i, look) for i, look in enumerate(self.looks)]
         self._matrices = [matrix(q) for q in self._orientations]
         first = {i: self._orientations[i] for i, look in enumerate(self.looks) if look.number}
@@ -199,11 +202,21 @@ class BallSprites:
     def draw_all(self, surface: pygame.Surface, spots: Iterable[Spot]) -> list[pygame.Rect]:
         """Draw balls, all shadows below all balls, those in the air above the others."""
         placed = sorted(spots, key=lambda spot: spot.height)
+        sunk = [self._sink(surface, spot) for spot in placed if spot.height < 0.0]
+        placed = placed[len(sunk) :]
         shadows = [self.shadow(surface, spot) for spot in placed]
-        return [
+        return sunk + [
             shadow.union(self._put(surface, spot))
             for shadow, spot in zip(shadows, placed, strict=True)
         ]
+
+    def _sink(self, surface: pygame.Surface, spot: Spot) -> pygame.Rect:
+        """Draw a ball that is below the cloth, if there are holes."""
+        if self.wells is None:
+            return pygame.Rect(0, 0, 0, 0)
+        picture, _ = self.sprite(spot.ball, spot.at)
+        centre, radius = self.layout.to_screen(*spot.at), self._px[spot.ball] / self.layout.scale
+        return self.wells.sink(surface, picture, centre, radius, -spot.height)
 
     def _put(self, surface: pygame.Surface, spot: Spot) -> pygame.Rect:
         picture, corner = self.sprite(spot.ball, spot.at)

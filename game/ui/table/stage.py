@@ -18,7 +18,8 @@ from game.settings.settings import Settings
 
 from . import marks
 from .cue_pose import Pose, pose
-from .furniture import furnished
+from .dropped import AWAY, Dropped
+from .furniture import furnished, holes
 from .looks import kind_of, looks_of
 from .orientations import Orientations
 from .trail import Trail
@@ -43,13 +44,15 @@ class Stage:
         self, layout: Layout, session: Session, settings: Settings, spread: Spread | None = None
     ) -> None:
         self.layout, self.radius = layout, session.world.balls[0].radius
-        self.base = furnished(layout, session.world)
+        self.base, wells = furnished(layout, session.world)
         self.lines = self.base.copy()
         self.settings = settings
         kind, radii = kind_of(session.world), [ball.radius for ball in session.world.balls]
         self.looks = looks_of(session.world, settings.colours)
         cloth, many = FINISHES[kind].cloth, kind != "carom"
         self.sprites = BallSprites(layout, self.looks, radii, cloth, many=many)
+        self.sprites.wells = wells
+        self.dropped = Dropped(holes(session.world))
         self.trail, self.orientations = Trail(), Orientations(self.sprites)
         self.spread, self.fan = spread or Spread(), Fan(layout)
         self._time, self._shown = session.world.time, (session.began, session.timeline.at)
@@ -74,12 +77,14 @@ class Stage:
                     self.sprites.rotate(index, ball.spin, since)
         if session.timeline.runs:
             self.trail.grow(session)
+        self.dropped.follow(session)
 
     def take_over(self, other: Stage) -> None:
         """Go on where the stage of another size has been."""
         for i in range(len(self.looks)):
             self.sprites.orient(i, other.sprites.orientation(i))
         self.trail, self.orientations = other.trail, other.orientations.on(self.sprites)
+        self.dropped.take_over(other.dropped)
         self._time, self._shown = other._time, other._shown
 
     def draw(self, surface: pygame.Surface, session: Session) -> list[pygame.Rect]:
@@ -87,11 +92,7 @@ class Stage:
         dirty = self._draw_lines(session)
         if marks.aiming(session):
             self.sprites.settle()
-        seen = session.seen
-        places = [
-            Spot(i, seen[ball.name].position, seen[ball.name].height)
-            for i, ball in enumerate(session.world.balls)
-        ]
+        places = [spot for spot in self.dropped.spots(session) if spot.height > AWAY]
         dirty += self._moved(places)
         self.sprites.prepare(places)
         stroke = pose(session, self.settings.still)
@@ -136,6 +137,10 @@ class Stage:
 
     def _moved(self, places: list[Spot]) -> list[pygame.Rect]:
         dirty = []
+        for index in {*range(len(self._balls))} - {spot.ball for spot in places}:
+            if self._balls[index][0] is not None:
+                dirty.append(self._balls[index][1])
+                self._balls[index] = (None, NOTHING)
         for spot in places:
             index = spot.ball
             key = (spot, self.sprites.orientation(index))
