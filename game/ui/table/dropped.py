@@ -59,18 +59,22 @@ class Dropped:
     def spots(self, session: Session) -> list[Spot]:
         """Where all balls are, in their order; those that are not to be seen lie at AWAY."""
         self.follow(session)
-        seen, now, live = session.seen, session.timeline.moment, session.timeline.at is None
+        now, live = session.timeline.moment, session.timeline.at is None
+        seen = {} if live else session.seen
         if live and self._rested is not None:  # the world's time stands, but the last ball falls on
             now += (session.tick - self._rested) / TICKS
         found = []
         for i, ball in enumerate(session.world.balls):
-            state, event = seen[ball.name], self._events.get(ball.name)
+            event = self._events.get(ball.name) if self._events else None
+            state = ball if live else seen[ball.name]
             if event is not None and event.time <= now and (ball.gone or not live):
                 found.append(self._falls(i, ball.radius, event, now - event.time))
             elif event is None and ball.gone:
                 found.append(Spot(i, state.position, AWAY))
             else:
-                found.append(Spot(i, state.position, state.height))
+                lies = ball.lies if live else not any(state.velocity)
+                still = lies and not any(state.spin)
+                found.append(Spot(i, state.position, state.height, still))
         return found
 
     def follow(self, session: Session) -> None:

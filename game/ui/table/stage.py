@@ -73,8 +73,9 @@ class Stage:
                 self.orientations.show(session, session.timeline.moment - session.began)
         elif since > 0.0:
             for index, ball in enumerate(session.world.balls):
-                if any(ball.spin):
-                    self.sprites.rotate(index, ball.spin, since)
+                spin = ball.spin
+                if any(spin):
+                    self.sprites.rotate(index, spin, since)
         if session.timeline.runs:
             self.trail.grow(session)
         self.dropped.follow(session)
@@ -100,8 +101,10 @@ class Stage:
             dirty += [self._cue[1], self._cue_room(stroke)]
             self._cue = (stroke, dirty[-1])
         area = [rect for rect in _merged(dirty) if rect.w and rect.h]
+        rooms = [self._balls[spot.ball][1] for spot in places]
         for rect in area:
-            self._compose(surface, rect, places, stroke)
+            near = [places[k] for k in rect.collidelistall(rooms)]
+            self._compose(surface, rect, near, stroke)
         return area
 
     def everything(self, surface: pygame.Surface, session: Session) -> None:
@@ -190,13 +193,12 @@ class Stage:
         self,
         surface: pygame.Surface,
         rect: pygame.Rect,
-        places: list[Spot],
+        near: list[Spot],
         stroke: Pose | None,
     ) -> None:
-        """Put the layers together inside `rect`."""
+        """Put the layers together inside `rect`, with the balls that reach into it."""
         surface.set_clip(rect)
         surface.blit(self.lines, rect, rect)
-        near = [spot for spot in places if self._balls[spot.ball][1].colliderect(rect)]
         self.sprites.draw_all(surface, near)
         if stroke is not None and self._cue[1].colliderect(rect):
             cue_stick.draw(surface, self.layout, *stroke, self.radius)
@@ -208,10 +210,10 @@ def _merged(rects: Iterable[pygame.Rect]) -> list[pygame.Rect]:
     merged: list[pygame.Rect] = []
     for rect in rects:
         for i, other in enumerate(merged):
+            if not other.colliderect(rect):
+                continue
             union = other.union(rect)
-            if other.colliderect(rect) and union.w * union.h <= 1.5 * (
-                other.w * other.h + rect.w * rect.h
-            ):
+            if union.w * union.h <= 1.5 * (other.w * other.h + rect.w * rect.h):
                 merged[i] = union
                 break
         else:
