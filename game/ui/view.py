@@ -149,6 +149,8 @@ class View:
         `seconds` have passed since the last time.
         """
         session, spread = self.session, self.spread
+        if self.stage.dropped.falls(session):
+            return True, True
         if not (self.preferences.settings.fan and aiming(session)) or session.preview is None:
             return spread.clear(), False
         changed = spread.follow(session.preview_key, seconds)

@@ -144,9 +144,9 @@ def test_whatever_stands_on_a_table_is_drawn_where_it_is(name):
     thing, spot = THINGS[name]
     world = tables.MEDIUM_CAROM.world()
     layout = layout_of(tables.MEDIUM_CAROM)
-    before = pixels(furnished(layout, world))
+    before = pixels(furnished(layout, world)[0])
     world.add(thing)
-    seen = changed(before, furnished(layout, world))
+    seen = changed(before, furnished(layout, world)[0])
     assert seen.w
     assert seen.inflate(4, 4).collidepoint(layout.to_screen(*spot))
     assert seen.w < 0.45 * layout.table.w

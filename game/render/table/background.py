@@ -15,8 +15,9 @@ from game.render.theme import BACKGROUND, CLOTHS, Colour, mix
 from physics import tables
 
 from . import bed as cloths
-from . import chalk, lines, obstacles, rails
+from . import chalk, ground, lines, obstacles, rails
 from .finish import FINISHES, Finish
+from .ground import Patch
 from .patches import cut
 
 SHADOW = 8
@@ -31,29 +32,30 @@ def background(
     walls: Sequence[Points] = (),
     table: tables.Table | None = None,
     things: Sequence[obstacles.Thing] = (),
+    patches: Sequence[Patch] | None = None,
 ) -> pygame.Surface:
     """Return the window without cards and balls.
 
     `cloth` is a key of `theme.CLOTHS`.  `walls` are walls inside the bed, each a line of points in
     metres, drawn as strips of cushion.  `table` says what its rails, pockets and lines are; without
-    one they are a carom table's.  `things` stand or gape somewhere else.
+    one they are a carom table's.  `things` stand or gape somewhere else.  `patches` are
+    its pockets, if they have been measured.
     """
     surface = pygame.Surface(layout.size, 0, 32)
     surface.fill(BACKGROUND)
     kind = "carom" if table is None else table.kind
     finish = FINISHES[kind]
-    pockets = table is not None and table.pockets is not None
+    pockets = ground.patches(layout, table) if patches is None else patches
     colour = CLOTHS[cloth if kind == "carom" else finish.cloth]
     _floor_shadow(surface, layout)
-    _borders(surface, layout, _framed(surface, layout, colour, finish, pockets))
+    _borders(surface, layout, _framed(surface, layout, colour, finish, bool(pockets)))
     nap = cloths.texture(layout, *layout.bed.size)
     _toned(surface, layout.bed, cloths.bed(layout, nap), colour)
     if table is None or kind == "carom":
         _spots(surface, layout, colour)
     else:
         chalk.draw(surface, layout, table, colour)
-    if table is not None and pockets:
-        cut(surface, layout, table, nap)
+    cut(surface, layout, finish, pockets, nap)
     for wall in walls:
         obstacles.strip(surface, layout, wall, colour)
     for thing in things:
@@ -103,7 +105,7 @@ def _sides(depth: int) -> list[tuple[slice, slice]]:
 
 
 def _framed(
-    surface: pygame.Surface, layout: Layout, colour: Colour, finish: Finish, pockets: bool
+    surface: pygame.Surface, layout: Layout, colour: Colour, finish: Finish, has_pockets: bool
 ) -> Floats:
     """Return the table's rectangle (width, height, 3) without its bed."""
     box = layout.table
@@ -117,7 +119,7 @@ def _framed(
         target += (strip[:, :depth].transpose(1, 0, 2) - target) * mitre
     _joints(picture, layout, depth)
     if finish.diamonds:
-        rails.inlay(picture, layout, box.x, box.y, pockets=pockets)
+        rails.inlay(picture, layout, box.x, box.y, pockets=has_pockets)
     floor = pygame.surfarray.pixels3d(surface)[box.x : box.right, box.y : box.bottom]
     _round(picture, floor, layout)
     return picture

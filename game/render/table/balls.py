@@ -10,7 +10,7 @@ from typing import NamedTuple
 import pygame
 
 from game.render.layout import Layout
-from game.render.theme import CLOTHS, LINE_INPUT, BallLook
+from game.render.theme import CLOTHS, LINE_INPUT, BallLook, Colour
 
 from . import prints
 from .painter import Painter
@@ -26,10 +26,11 @@ from .rotation import (
 )
 from .shades import shades
 from .shadows import Shadows
-from .sheet import Sheet, Turn
+from .sheet import Fine, Sheet, Turn
+from .wells import Wells
 
-CELLS = (17, 9)
-"""Light changes in steps of this many cells along and across the table."""
+CELLS, FEW_CELLS = (17, 9), (9, 5)
+"""Light changes in steps of this many cells along and across the table; for many balls of fewer."""
 RADIUS = 0.03275
 DARK = 64
 """A body whose brightest channel is below that is lost on a panel."""
@@ -43,12 +44,25 @@ class Spot(NamedTuple):
 
     ball: its place among the balls.
     at: (x, y), m.
-    height: above the cloth, m.
+    height: above the cloth, m; below it is negative.
+    still: does it rest?  Then it is worth a finer picture.
     """
 
     ball: int
     at: Place
     height: float = 0.0
+    still: bool = False
+
+
+class Sight(NamedTuple):
+    """What a ball's picture depends on: how it has turned, the cell of its light (m), by how many
+    half pixels it is off; then where it is (m), and where its top left corner goes."""
+
+    turn: Quaternion
+    cell: Place
+    half: tuple[int, int]
+    at: Place
+    corner: tuple[int, int]
 
 
 class BallSprites:
@@ -72,27 +86,34 @@ class BallSprites:
         self._px = [r * layout.scale for r in radii]
         self.px = max(self._px, default=RADIUS * layout.scale)
         """Radius of the largest, px."""
+        self.wells: Wells | None = None
+        """The holes that they fall into."""
         self._orientations = [_racked(i, look) for i, look in enumerate(self.looks)]
-        self._matrices = [matrix(q) for q in self._orientations]
         first = {i: self._orientations[i] for i, look in enumerate(self.looks) if look.number}
         self._ends = {i: (q, other_end(q)) for i, q in first.items()}
-        self._sprites: list[tuple[tuple[object, ...], pygame.Surface] | None]
-        self._sprites = [None] * len(self.looks)
+        self._sprites: list[tuple[object, pygame.Surface] | None] = [None] * len(self.looks)
+        self._seen: list[Sight | None] = [None] * len(self.looks)
         self._shadows = {px: Shadows(px, layout.scale) for px in {*self._px}}
-        colour = CLOTHS[cloth]
+        self._grid = FEW_CELLS if many else CELLS
         self._sheets: dict[float, Sheet] = {}
+        self._fine: dict[float, Fine] = {}
+        self._painters: dict[float, Painter] = {}
         self._cells: dict[int, int] = {}
-        if many:
-            for px in {*self._px}:
-                own = [i for i, size in enumerate(self._px) if size == px]
-                self._cells |= {i: k for k, i in enumerate(own)}
-                self._sheets[px] = Sheet(px, [self.looks[i] for i in own], colour)
-            self._sides = {px: sheet.side for px, sheet in self._sheets.items()}
-        else:
-            self._painters = {px: Painter(px, colour) for px in {*self._px}}
-            self._sides = {px: painter.side for px, painter in self._painters.items()}
-            pairs = zip(self.looks, self._px, strict=True)
-            self._shades = [shades(look, 2 * px) for look, px in pairs]
+        (self._together if many else self._alone)(CLOTHS[cloth])
+
+    def _together(self, cloth: Colour) -> None:
+        """A sheet for all balls of a size."""
+        for px in {*self._px}:
+            own = [i for i, size in enumerate(self._px) if size == px]
+            self._cells |= {i: k for k, i in enumerate(own)}
+            looks = [self.looks[i] for i in own]
+            self._sheets[px], self._fine[px] = Sheet(px, looks, cloth), Fine(px, looks, cloth)
+
+    def _alone(self, cloth: Colour) -> None:
+        """A painter for each size."""
+        self._painters = {px: Painter(px, cloth) for px in {*self._px}}
+        pairs = zip(self.looks, self._px, strict=True)
+        self._shades = [shades(look, 2 * px) for look, px in pairs]
 
     # -- how they have turned ------------------------------------------------------------------
 
@@ -112,7 +133,6 @@ class BallSprites:
         """Set how a ball has turned, as `orientation` gave it (for scrubbing and undo)."""
         if turn != self._orientations[index]:
             self._orientations[index] = turn
-            self._matrices[index] = matrix(turn)
 
     def rack(self) -> None:
         """Turn every ball back to how it lay at the beginning."""
@@ -131,46 +151,54 @@ class BallSprites:
     def prepare(self, spots: Iterable[Spot]) -> None:
         """Paint all balls whose pictures have changed at once, where that is cheaper."""
         found: dict[float, list[Turn]] = {}
-        for index, at, _ in spots if self._sheets else ():
-            key, _ = self._key(index, at)
-            kept = self._sprites[index]
-            if kept is None or kept[0] != key:
-                px = self._px[index]
-                turn = Turn(self._cells[index], self._matrices[index], key[2], key[1])
-                found.setdefault(px, []).append(turn)
-                self._sprites[index] = key, self._sheets[px].cells[turn.cell]
+        for index, at, _, still in spots if self._sheets else ():
+            if still:
+                continue
+            seen, turn = self._seen[index], self._orientations[index]
+            if seen is not None and seen.at == at and seen.turn is turn:
+                continue
+            px = self._px[index]
+            now = self._seen[index] = self._sight(index, at, 2 * self._sheets[px].side)
+            if seen is None or seen[:3] != now[:3]:
+                found.setdefault(px, []).append(Turn(self._cells[index], *now[:3]))
         for px, turns in found.items():
             self._sheets[px].paint(turns)
 
-    def _key(
-        self, index: int, at: Place
-    ) -> tuple[tuple[Quaternion, tuple[int, int], Place], tuple[int, int]]:
-        """What a picture depends on, and where its top left corner goes."""
+    def _sight(self, index: int, at: Place, side: int) -> Sight:
+        """What a ball's picture depends on, and where it goes; `side`: of it, in half pixels."""
         x, y = self.layout.to_screen(*at)
-        side = self._sides[self._px[index]]
-        # a painter's side is in halves of a pixel, a sheet's in pixels
-        reach = side if self._sheets else side // 2
-        left, top = round(2 * x) - reach, round(2 * y) - reach
+        left, top = round(2 * x) - side // 2, round(2 * y) - side // 2
         half = (left % 2, top % 2)
         corner = (left - half[0]) // 2, (top - half[1]) // 2
-        return (self._orientations[index], half, self._cell(at)), corner
+        return Sight(self._orientations[index], self._cell(at), half, at, corner)
 
-    def sprite(self, index: int, at: Place) -> tuple[pygame.Surface, tuple[int, int]]:
+    def sprite(
+        self, index: int, at: Place, *, still: bool = False
+    ) -> tuple[pygame.Surface, tuple[int, int]]:
         """Return the picture of a ball at `at` (m) and where its top left corner goes.
 
-        The same surface comes back while the ball neither turns nor moves half a pixel.
+        The same surface comes back while the ball neither turns nor moves half a pixel. Of many,
+        one that is `still` is painted finer.
         """
-        if self._sheets:
+        px = self._px[index]
+        if self._sheets and not still:
             self.prepare([Spot(index, at)])
-        key, corner = self._key(index, at)
-        kept = self._sprites[index]
-        if kept is None or kept[0] != key:
-            look, painter = self.looks[index], self._painters[self._px[index]]
-            picture = painter.sprite(
-                self._shades[index], look.banded, self._matrices[index], key[2], key[1]
-            )
-            kept = self._sprites[index] = (key, picture)
-        return kept[1], corner
+            seen = self._seen[index]
+            assert seen is not None
+            return self._sheets[px].cells[self._cells[index]], seen.corner
+        side = self._fine[px].side if self._sheets else self._painters[px].side
+        now, kept = self._sight(index, at, side), self._sprites[index]
+        if kept is None or kept[0] != now[:3]:
+            kept = self._sprites[index] = (now[:3], self._painted(index, now))
+        return kept[1], now.corner
+
+    def _painted(self, index: int, now: Sight) -> pygame.Surface:
+        """The picture of one ball as smooth as it gets."""
+        px = self._px[index]
+        if self._sheets:
+            return self._fine[px].sprite(Turn(self._cells[index], *now[:3]))
+        look, turn = self.looks[index], matrix(now.turn)
+        return self._painters[px].sprite(self._shades[index], look.banded, turn, now.cell, now.half)
 
     def portrait(self, index: int) -> pygame.Surface:
         """Return a ball as it is racked in the middle of the table, for plates and lists."""
@@ -187,7 +215,9 @@ class BallSprites:
         if spot.height > 0.0:
             return shadows.draw_below(surface, centre, spot.at, spot.height)
         if self._sheets:
-            return shadows.draw_joined(surface, centre, self._cell(spot.at))
+            seen = self._seen[spot.ball]
+            cell = seen.cell if seen is not None and seen.at == spot.at else self._cell(spot.at)
+            return shadows.draw_joined(surface, centre, cell)
         return shadows.draw(surface, centre, spot.at)
 
     def draw(
@@ -198,15 +228,25 @@ class BallSprites:
 
     def draw_all(self, surface: pygame.Surface, spots: Iterable[Spot]) -> list[pygame.Rect]:
         """Draw balls, all shadows below all balls, those in the air above the others."""
-        placed = sorted(spots, key=lambda spot: spot.height)
+        placed = sorted(spots, key=_height)
+        sunk = [self._sink(surface, spot) for spot in placed if spot.height < 0.0]
+        placed = placed[len(sunk) :]
         shadows = [self.shadow(surface, spot) for spot in placed]
-        return [
+        return sunk + [
             shadow.union(self._put(surface, spot))
             for shadow, spot in zip(shadows, placed, strict=True)
         ]
 
+    def _sink(self, surface: pygame.Surface, spot: Spot) -> pygame.Rect:
+        """Draw a ball that is below the cloth, if there are holes."""
+        if self.wells is None:
+            return pygame.Rect(0, 0, 0, 0)
+        picture, _ = self.sprite(spot.ball, spot.at)
+        centre, radius = self.layout.to_screen(*spot.at), self._px[spot.ball] / self.layout.scale
+        return self.wells.sink(surface, picture, centre, radius, -spot.height)
+
     def _put(self, surface: pygame.Surface, spot: Spot) -> pygame.Rect:
-        picture, corner = self.sprite(spot.ball, spot.at)
+        picture, corner = self.sprite(spot.ball, spot.at, still=spot.still)
         if spot.height <= 0.0:
             return surface.blit(picture, corner)
         side = ceil(picture.get_width() * (1 + LENS * spot.height))
@@ -219,9 +259,13 @@ class BallSprites:
         sides = (self.layout.length, self.layout.width)
         x, y = (
             (min(max(round(p / side * n), -(n // 2)), n // 2)) * side / n
-            for p, side, n in zip(at, sides, CELLS, strict=True)
+            for p, side, n in zip(at, sides, self._grid, strict=True)
         )
         return x, y
+
+
+def _height(spot: Spot) -> float:
+    return spot.height
 
 
 def _racked(index: int, look: BallLook) -> Quaternion:
@@ -239,8 +283,7 @@ def portrait(look: BallLook, px: float, *, ringed: bool = True) -> pygame.Surfac
     """
     disc = prints.PLATE if px < prints.UNDERLINED else prints.DISC
     sheet = Sheet(px, [look], CLOTHS["pool"], disc)
-    turn = matrix(rotated(resting(0), (0.0, 0.0, 0.1), 1.0) if look.number else _racked(1, look))
-    sheet.paint([Turn(0, turn, (0.45, 0.25), (0, 0))])
+    sheet.paint([Turn(0, _racked(1, look), (0.45, 0.25), (0, 0))])
     picture = sheet.cells[0].copy()
     if ringed and max(look.body) < DARK:
         middle = picture.get_width() // 2

@@ -112,8 +112,12 @@ class Patch(NamedTuple):
         return values[:: self.sx or 1, :: self.sy]
 
 
-def patches(layout: Layout, table: tables.Table) -> Iterator[Patch]:
+def patches(layout: Layout, table: tables.Table | None) -> tuple[Patch, ...]:
     """All pockets of a table; one corner and one side are measured."""
+    return tuple(_patches(layout, table)) if table is not None and table.pockets else ()
+
+
+def _patches(layout: Layout, table: tables.Table) -> Iterator[Patch]:
     known: dict[bool, tuple[pygame.Rect, Ground]] = {}
     for hole in sorted(plan.holes(table), key=lambda h: (-h.at.imag, -h.at.real)):
         if hole.corner not in known:

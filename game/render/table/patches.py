@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pygame
 
 from game.render.arrays import Floats
 from game.render.layout import CUSHION, Layout
 from game.render.theme import CLOTHS
-from physics import tables
 
 from . import bed, leather
-from .finish import FINISHES, Finish
-from .ground import FEATHER, Ground, Patch, patches
+from .finish import Finish
+from .ground import FEATHER, Ground, Patch
 from .leather import cover, lay, smooth
 
 
-def cut(surface: pygame.Surface, layout: Layout, table: tables.Table, nap: Floats) -> None:
+def cut(
+    surface: pygame.Surface,
+    layout: Layout,
+    finish: Finish,
+    patches: Sequence[Patch],
+    nap: Floats,
+) -> None:
     """Paint the pockets of a table; `nap` is the texture of the bed (see `bed.texture`)."""
-    finish = FINISHES[table.kind]
-    for patch in patches(layout, table):
+    for patch in patches:
         box = patch.box
         pixels = pygame.surfarray.pixels3d(surface)[box.x : box.right, box.y : box.bottom]
         turned = patch.turned(pixels)

@@ -36,8 +36,11 @@ def disc_of(radius: float) -> float:
 
 
 @lru_cache(maxsize=128)
-def printed(look: BallLook, radius: float, disc: float) -> NDArray[np.uint32]:
-    """Return the print (SIZE * SIZE, columns first), BGRA packed, of a ball `radius` px large."""
+def printed(look: BallLook, radius: float, disc: float, finer: int = 1) -> NDArray[np.uint32]:
+    """Return the print (SIZE * SIZE, columns first), BGRA packed, of a ball `radius` px large.
+
+    `finer`: how many times larger it is painted than shown.
+    """
     large = pygame.Surface((LARGE, LARGE), 0, 32)
     large.fill(look.mark if look.striped else look.body)
     if look.striped:
@@ -47,7 +50,7 @@ def printed(look: BallLook, radius: float, disc: float) -> NDArray[np.uint32]:
     pygame.draw.circle(large, look.mark, (LARGE / 2, LARGE / 2), reach)
     if disc > BLANK:
         _digits(large, look.number, reach, line=radius >= UNDERLINED)
-    small = min(SIZE, ceil(2 * radius * FINE))
+    small = min(SIZE, ceil(2 * radius * finer * FINE))
     kept = pygame.transform.smoothscale(large, (small, small))
     texels = pygame.surfarray.array3d(pygame.transform.smoothscale(kept, (SIZE, SIZE)))
     r, g, b = texels.astype(np.uint32).transpose(2, 0, 1)

@@ -43,15 +43,17 @@ def unit(q: Quaternion) -> Quaternion:
 
 def matrix(q: Quaternion) -> Floats:
     """Return the rotation matrix (3, 3) from the ball's own axes to the table's."""
+    return np.array(rows(q), np.float32).reshape(3, 3)
+
+
+def rows(q: Quaternion) -> tuple[float, ...]:
+    """Return the nine numbers of that matrix, row by row."""
     a, b, c, d = q
-    return np.array(
-        (
-            (1 - 2 * (c * c + d * d), 2 * (b * c - a * d), 2 * (b * d + a * c)),
-            (2 * (b * c + a * d), 1 - 2 * (b * b + d * d), 2 * (c * d - a * b)),
-            (2 * (b * d - a * c), 2 * (c * d + a * b), 1 - 2 * (b * b + c * c)),
-        ),
-        np.float32,
-    )
+    return (
+        1 - 2 * (c * c + d * d), 2 * (b * c - a * d), 2 * (b * d + a * c),
+        2 * (b * c + a * d), 1 - 2 * (b * b + d * d), 2 * (c * d - a * b),
+        2 * (b * d - a * c), 2 * (c * d + a * b), 1 - 2 * (b * b + c * c),
+    )  # fmt: skip
 
 
 UPRIGHT: Quaternion = (0.5, -0.5, -0.5, -0.5)

@@ -6,6 +6,7 @@ A ball costs a third of what `Painter` takes for one, and what it shows is a lit
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -17,58 +18,74 @@ from game.render.theme import BallLook, Colour
 
 from . import light, prints
 from .painter import overlays
+from .rotation import Quaternion, rows
 from .shades import SHADES, shades
 
 
 class Turn(NamedTuple):
-    """One ball to be painted: its place in the sheet, its rotation (3, 3), the light's cell (m),
-    and by how many half pixels its centre is off."""
+    """One ball to be painted: its place in the sheet, how it has turned, the light's cell (m), and
+    by how many half pixels its centre is off."""
 
     cell: int
-    matrix: Floats
+    turn: Quaternion
     where: tuple[float, float]
     half: tuple[int, int]
 
 
 class Sheet:
-    """The pictures of balls of one radius, px; `disc`: of their numbers, see `prints`."""
+    """The pictures of balls that are `shown` with one radius, px.
+
+    `disc`: how large their numbers' are, see `prints`; `finer`: how many times larger they are
+    painted, to be averaged.
+    """
 
     def __init__(
-        self, radius: float, looks: Sequence[BallLook], cloth: Colour, disc: float | None = None
+        self,
+        shown: float,
+        looks: Sequence[BallLook],
+        cloth: Colour,
+        disc: float | None = None,
+        finer: int = 1,
     ) -> None:
-        self.radius, self.cloth = radius, cloth
-        self.side = 2 * (int(np.ceil(radius)) + 2)
+        radius = shown * finer
+        self.cloth = cloth
+        self.side = 2 * int(np.ceil(radius + 1))
         halves = [(x, y) for x in (0, 1) for y in (0, 1)]
         discs = [light.normals(self.side, radius, self.side / 2, half) for half in halves]
-        self._discs = dict(zip(halves, discs, strict=True))
+        self._disc = discs[0]
         # pygame wants rows first: so are these
         flat = [d.transpose(0, 2, 1).reshape(3, -1) for d, _ in discs]
         self._flat = np.ascontiguousarray(np.stack(flat))
+        covers = [np.round(255 * c.T).astype(np.uint32).ravel() << np.uint32(24) for _, c in discs]
+        self._covers = np.ascontiguousarray(np.stack(covers))
         self._number = {half: k for k, half in enumerate(halves)}
         count, side = len(looks), self.side
         self._paint = np.zeros((count, side * side), np.uint32)
         self._whole = pygame.image.frombuffer(self._paint.data, (side, side * count), "BGRA")
         self.cells = [self._whole.subsurface((0, side * k, side, side)) for k in range(count)]
         self._lights: dict[object, tuple[pygame.Surface, pygame.Surface]] = {}
-        self._look(looks, prints.disc_of(radius) if disc is None else disc)
+        self._look(looks, shown, prints.disc_of(shown) if disc is None else disc, finer)
 
-    def _look(self, looks: Sequence[BallLook], disc: float) -> None:
+    def _look(self, looks: Sequence[BallLook], shown: float, disc: float, finer: int) -> None:
         """Lay the colours of all looks one behind the other."""
         self._numbered = np.array([bool(look.number) for look in looks])
         self._banded = np.array([look.banded for look in looks])
         tables = [
-            prints.printed(look, self.radius, disc) if look.number else shades(look, self.radius)
+            prints.printed(look, shown, disc, finer)
+            if look.number
+            else shades(look, shown * finer)
             for look in looks
         ]
         self._first = np.cumsum([0, *map(len, tables)])[:-1].astype(np.int32)
-        self._colours = np.concatenate(tables)
+        self._colours = np.concatenate(tables) & np.uint32(0xFFFFFF)
 
     def paint(self, turns: Sequence[Turn]) -> None:
         """Paint the cells of balls that have turned, moved or come under another light."""
         cells = np.array([t.cell for t in turns])
-        matrices = np.stack([t.matrix for t in turns]).transpose(0, 2, 1)
-        flat = self._flat[[self._number[t.half] for t in turns]]
-        own = np.matmul(matrices, flat)
+        halves = np.array([self._number[t.half] for t in turns])
+        matrices = np.array([rows(t.turn) for t in turns], np.float32).reshape(-1, 3, 3)
+        flat = self._flat.take(halves, 0)
+        own = np.matmul(matrices.transpose(0, 2, 1), flat)
         numbered = self._numbered[cells]
         if numbered.all():
             spots = self._print_spots(own)
@@ -79,9 +96,9 @@ class Sheet:
             spots[numbered] = self._print_spots(own[numbered])
             spots[~numbered] = self._mark_spots(own[~numbered], cells[~numbered])
         spots += self._first[cells][:, None]
-        self._paint[cells] = self._colours.take(spots)
+        self._paint[cells] = self._colours.take(spots) | self._covers.take(halves, 0)
         for turn in turns:
-            times, added = self._light(turn)
+            times, added = self._light(turn.where)
             at = (0, turn.cell * self.side)
             self._whole.blit(times, at, special_flags=pygame.BLEND_RGBA_MULT)
             self._whole.blit(added, at, special_flags=pygame.BLEND_RGB_ADD)
@@ -104,10 +121,37 @@ class Sheet:
         shade = np.minimum(step * np.float32(SHADES - 1), SHADES - 1)
         return np.asarray(shade.astype(np.int32), np.int32)
 
-    def _light(self, turn: Turn) -> tuple[pygame.Surface, pygame.Surface]:
-        """The overlays under that light; made when they are first asked for."""
-        key = turn.where, turn.half
-        if key not in self._lights:
-            normal, cover = self._discs[turn.half]
-            self._lights[key] = overlays(normal, cover, turn.where, self.cloth)
-        return self._lights[key]
+    def _light(self, where: tuple[float, float]) -> tuple[pygame.Surface, pygame.Surface]:
+        """The overlays under the light there; made when they are first asked for."""
+        if where not in self._lights:
+            normal, _ = self._disc
+            whole = np.ones(normal.shape[1:], np.float32)
+            self._lights[where] = overlays(normal, whole, where, self.cloth)
+        return self._lights[where]
+
+
+class Fine:
+    """The same balls one at a time, painted at twice the size and averaged; made when needed."""
+
+    def __init__(self, radius: float, looks: Sequence[BallLook], cloth: Colour) -> None:
+        self._given = radius, looks, cloth
+        self.side = 2 * int(np.ceil(2 * radius + 1))
+        """In halves of a pixel."""
+
+    @cached_property
+    def _sheet(self) -> Sheet:
+        radius, looks, cloth = self._given
+        return Sheet(radius, looks, cloth, finer=2)
+
+    @cached_property
+    def _large(self) -> pygame.Surface:
+        return pygame.Surface((self.side + 2, self.side + 2), pygame.SRCALPHA, 32)
+
+    def sprite(self, turn: Turn) -> pygame.Surface:
+        """Return a picture of one ball, which keeps what it shows."""
+        self._sheet.paint([turn._replace(half=(0, 0))])
+        self._large.fill(0)
+        flags = pygame.BLEND_RGBA_MAX
+        self._large.blit(self._sheet.cells[turn.cell], turn.half, special_flags=flags)
+        extent = self._large.get_width() // 2
+        return pygame.transform.smoothscale(self._large, (extent, extent))

@@ -7,22 +7,51 @@ from typing import Any
 import pygame
 
 from game.render.layout import Layout
+from game.render.table import ground, plan
 from game.render.table.background import background
 from game.render.table.obstacles import Thing
+from game.render.table.wells import Wells
 from physics import World, tables
+
+from .dropped import Hole
 
 SIDES = ("west", "east", "south", "north")
 """The four rails of a world without a table, as they are named everywhere."""
 
 
-def furnished(layout: Layout, world: World) -> pygame.Surface:
-    """The window without cards and balls, for any world."""
-    table = world.table if isinstance(world.table, tables.Table) else None
+def furnished(layout: Layout, world: World) -> tuple[pygame.Surface, Wells]:
+    """The window without cards and balls, for any world, and the openings of its holes."""
+    table, things = table_of(world), beside(layout, world)
+    patches = ground.patches(layout, table)
+    picture = background(layout, table=table, things=things, patches=patches)
+    return picture, Wells(layout, patches, things)
+
+
+def table_of(world: World) -> tables.Table | None:
+    """The table that a world is of, if it is of one."""
+    return world.table if isinstance(world.table, tables.Table) else None
+
+
+def beside(layout: Layout, world: World) -> list[Thing]:
+    """What a world has beside the pieces of its table, or beside its four rails."""
+    table = table_of(world)
     half = 0.5 * layout.length, 0.5 * layout.width
     own = SIDES if table is None else {piece.name for piece in table.obstacles}
-    beside = (wall for wall in world.walls if wall.name not in own)
-    things = [thing for wall in beside if (thing := _thing(wall, half)) is not None]
-    return background(layout, table=table, things=things)
+    others = (wall for wall in world.walls if wall.name not in own)
+    return [thing for wall in others if (thing := _thing(wall, half)) is not None]
+
+
+def holes(world: World) -> dict[str, Hole]:
+    """Where balls fall, by the names of the pockets."""
+    table = table_of(world)
+    found = {w.name: Hole(complex(*w.at), w.radius) for w in _pockets(world)}
+    if table is not None and table.pockets is not None:
+        found |= {hole.name: Hole(hole.rim, hole.width) for hole in plan.holes(table)}
+    return found
+
+
+def _pockets(world: World) -> list[Any]:
+    return [wall for wall in world.walls if wall.kind == "pocket"]
 
 
 def _thing(wall: Any, half: tuple[float, float]) -> Thing | None:

@@ -131,11 +131,11 @@ def _hits(
     surface: pygame.Surface, layout: Layout, session: Session, looks: Sequence[BallLook], now: float
 ) -> Rects:
     walls = {wall.name: wall for wall in session.world.walls}
-    s, rects = layout.s, []
+    s, rects, traced = layout.s, [], session.traced
     for event in session.timeline.events:
         if event.time > now:
             break
-        if event.balls[0] not in session.traced:
+        if event.balls[0] not in traced:
             continue
         if event.kind == "cushion":
             look = looks[preview_lines.index(session, event.balls[0])]

@@ -18,7 +18,8 @@ from game.settings.settings import Settings
 
 from . import marks
 from .cue_pose import Pose, pose
-from .furniture import furnished
+from .dropped import AWAY, Dropped
+from .furniture import furnished, holes
 from .looks import kind_of, looks_of
 from .orientations import Orientations
 from .trail import Trail
@@ -43,13 +44,15 @@ class Stage:
         self, layout: Layout, session: Session, settings: Settings, spread: Spread | None = None
     ) -> None:
         self.layout, self.radius = layout, session.world.balls[0].radius
-        self.base = furnished(layout, session.world)
+        self.base, wells = furnished(layout, session.world)
         self.lines = self.base.copy()
         self.settings = settings
         kind, radii = kind_of(session.world), [ball.radius for ball in session.world.balls]
         self.looks = looks_of(session.world, settings.colours)
         cloth, many = FINISHES[kind].cloth, kind != "carom"
         self.sprites = BallSprites(layout, self.looks, radii, cloth, many=many)
+        self.sprites.wells = wells
+        self.dropped = Dropped(holes(session.world))
         self.trail, self.orientations = Trail(), Orientations(self.sprites)
         self.spread, self.fan = spread or Spread(), Fan(layout)
         self._time, self._shown = session.world.time, (session.began, session.timeline.at)
@@ -70,16 +73,19 @@ class Stage:
                 self.orientations.show(session, session.timeline.moment - session.began)
         elif since > 0.0:
             for index, ball in enumerate(session.world.balls):
-                if any(ball.spin):
-                    self.sprites.rotate(index, ball.spin, since)
+                spin = ball.spin
+                if any(spin):
+                    self.sprites.rotate(index, spin, since)
         if session.timeline.runs:
             self.trail.grow(session)
+        self.dropped.follow(session)
 
     def take_over(self, other: Stage) -> None:
         """Go on where the stage of another size has been."""
         for i in range(len(self.looks)):
             self.sprites.orient(i, other.sprites.orientation(i))
         self.trail, self.orientations = other.trail, other.orientations.on(self.sprites)
+        self.dropped.take_over(other.dropped)
         self._time, self._shown = other._time, other._shown
 
     def draw(self, surface: pygame.Surface, session: Session) -> list[pygame.Rect]:
@@ -87,11 +93,7 @@ class Stage:
         dirty = self._draw_lines(session)
         if marks.aiming(session):
             self.sprites.settle()
-        seen = session.seen
-        places = [
-            Spot(i, seen[ball.name].position, seen[ball.name].height)
-            for i, ball in enumerate(session.world.balls)
-        ]
+        places = [spot for spot in self.dropped.spots(session) if spot.height > AWAY]
         dirty += self._moved(places)
         self.sprites.prepare(places)
         stroke = pose(session, self.settings.still)
@@ -99,8 +101,10 @@ class Stage:
             dirty += [self._cue[1], self._cue_room(stroke)]
             self._cue = (stroke, dirty[-1])
         area = [rect for rect in _merged(dirty) if rect.w and rect.h]
+        rooms = [self._balls[spot.ball][1] for spot in places]
         for rect in area:
-            self._compose(surface, rect, places, stroke)
+            near = [places[k] for k in rect.collidelistall(rooms)]
+            self._compose(surface, rect, near, stroke)
         return area
 
     def everything(self, surface: pygame.Surface, session: Session) -> None:
@@ -136,6 +140,10 @@ class Stage:
 
     def _moved(self, places: list[Spot]) -> list[pygame.Rect]:
         dirty = []
+        for index in {*range(len(self._balls))} - {spot.ball for spot in places}:
+            if self._balls[index][0] is not None:
+                dirty.append(self._balls[index][1])
+                self._balls[index] = (None, NOTHING)
         for spot in places:
             index = spot.ball
             key = (spot, self.sprites.orientation(index))
@@ -185,13 +193,12 @@ class Stage:
         self,
         surface: pygame.Surface,
         rect: pygame.Rect,
-        places: list[Spot],
+        near: list[Spot],
         stroke: Pose | None,
     ) -> None:
-        """Put the layers together inside `rect`."""
+        """Put the layers together inside `rect`, with the balls that reach into it."""
         surface.set_clip(rect)
         surface.blit(self.lines, rect, rect)
-        near = [spot for spot in places if self._balls[spot.ball][1].colliderect(rect)]
         self.sprites.draw_all(surface, near)
         if stroke is not None and self._cue[1].colliderect(rect):
             cue_stick.draw(surface, self.layout, *stroke, self.radius)
@@ -203,10 +210,10 @@ def _merged(rects: Iterable[pygame.Rect]) -> list[pygame.Rect]:
     merged: list[pygame.Rect] = []
     for rect in rects:
         for i, other in enumerate(merged):
+            if not other.colliderect(rect):
+                continue
             union = other.union(rect)
-            if other.colliderect(rect) and union.w * union.h <= 1.5 * (
-                other.w * other.h + rect.w * rect.h
-            ):
+            if union.w * union.h <= 1.5 * (other.w * other.h + rect.w * rect.h):
                 merged[i] = union
                 break
         else:

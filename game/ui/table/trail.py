@@ -27,9 +27,10 @@ class Trail:
     def grow(self, session: Session) -> None:
         """Take in where the balls are now."""
         self._follow(session)
-        seen = session.seen
+        live, balls = session.timeline.at is None, session.world.balls
         for i, points in self._points.items():
-            at = seen[session.world.balls[i].name].position
+            ball = balls[i]
+            at = ball.position if live else session.seen[ball.name].position
             if hypot(at[0] - points[-1][0], at[1] - points[-1][1]) >= STEP:
                 points.append(at)
 
@@ -78,5 +79,5 @@ def _last_places(session: Session) -> dict[int, Place]:
     if not session.timeline.runs:
         return {}
     states = session.world.log.at(session.timeline.traced)
-    names = enumerate(ball.name for ball in session.world.balls)
-    return {i: states[name].position for i, name in names if name in session.traced}
+    names, traced = enumerate(ball.name for ball in session.world.balls), session.traced
+    return {i: states[name].position for i, name in names if name in traced}
