@@ -152,7 +152,7 @@ WORDS = {
     "hint.call": "@[ball 1] ball · @[pocket 1] pocket · @[call safety] safety",
     "hint.push": "@[call push] push out · Enter shoots",
     "hint.colour": "@[ball 1] names a colour · Enter shoots",
-    "hint.cue": "@[ball 1] another ball · Enter shoots",
+    "hint.cue": "@[ball 1] or right click: another ball",
     "hand.done": "Place here",
     "rack.next": "Next rack",
     "state.hand": "placing the cue ball",

@@ -152,7 +152,7 @@ WORDS = {
     "hint.call": "@[ball 1] 공 · @[pocket 1] 포켓 · @[call safety] 세이프티",
     "hint.push": "@[call push] 푸시아웃 · Enter 치기",
     "hint.colour": "@[ball 1] 색 지정 · Enter 치기",
-    "hint.cue": "@[ball 1] 다른 공 · Enter 치기",
+    "hint.cue": "@[ball 1], 오른쪽 단추: 다른 공",
     "hand.done": "여기에 놓기",
     "rack.next": "다음 랙",
     "state.hand": "수구를 놓는 중",

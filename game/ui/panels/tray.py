@@ -13,7 +13,7 @@ from game.render import theme
 from game.render.parts import cards, shapes
 from game.session.session import Session
 from game.ui.sight import Sight
-from game.ui.table.looks import ball_words, look
+from game.ui.table.looks import ball_words
 
 SLOT = 11
 """Radius of a slot at most, px at s = 1."""
@@ -75,7 +75,7 @@ def _slot(
     ]  # fmt: skip
     left = [ball for ball in mine if not ball.gone]
     place = next(i for i, ball in enumerate(balls) if ball is mine[0])
-    colour = look(mine[0].name, place, sight.settings.colours).body
+    colour = sight.looks[place].body
     edge = theme.ACCENT if name in targets(session) else theme.LINE_INPUT
     down = not left or name == "red"
     shapes.disc(surface, at, radius, colour if down else theme.PANEL, edge, 1.5 * t.s)
