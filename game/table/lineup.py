@@ -13,7 +13,7 @@ from game.aim.entry import BOXES, fault
 from game.text import LANGUAGES
 from physics import Ball, EventDriven, World
 
-from . import presets
+from . import placing, presets
 
 Place = tuple[float, float]
 MARK = "danggu1"
@@ -121,9 +121,9 @@ def _check(found: Lineup) -> None:
         raise LineError("missing", ", ".join(lost or [*presets.BALLS][:1]))
     if {"cue", "white"} & {*found.down}:
         raise LineError("down", ", ".join({"cue", "white"} & {*found.down}))
-    walls = _table(found.table).walls
+    table = _table(found.table)
     for i, (name, at) in enumerate(found.balls):
-        if any(wall.distance(at) < balls[name].radius - TOUCHING for wall in walls):
+        if not placing.fits(table, at, balls[name].radius - TOUCHING):
             raise LineError("outside", name)
         for other, spot in found.balls[:i]:
             apart = abs(complex(*at) - complex(*spot))
