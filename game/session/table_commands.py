@@ -95,7 +95,8 @@ def line(session: Session, text: str) -> None:
     session.page = ""
     names = [name for name, _ in found.balls]
     same = found.table == session.table and names == [b.name for b in session.world.balls]
-    if session.contest or not same:
+    gone = found.down or any(ball.gone for ball in session.world.balls)
+    if session.contest or not same or gone:
         _begin(session, found.world(), found.table)
     else:
         session.lay([place for _, place in found.balls])

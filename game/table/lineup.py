@@ -6,17 +6,21 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import isfinite
 
+from danggu.players.drills import DRILLS, POOL, PYRAMID, SNOOKER
 from danggu.players.positions import SAGU, SHELF, Position, opening
+from danggu.players.spotting import take
 from game.aim.entry import BOXES, fault
 from game.text import LANGUAGES
 from physics import Ball, EventDriven, World
 
-from . import presets
+from . import placing, presets
 
 Place = tuple[float, float]
 MARK = "danggu1"
 """First word of a line: what it is, and the version of the format."""
 LONGEST_LINE = 4000
+DOWN = "down"
+"""Written in place of a place for a ball that is off the table."""
 TOUCHING = 5e-10
 """Metres by which balls that touch may seem to overlap, for their places are rounded: half of what
 a world lets pass, so that it takes what is taken here."""
@@ -37,28 +41,33 @@ class Lineup:
     table  a key of `presets.TABLES` or `presets.SCENES`
     balls  names and places, m
     texts  the five of a shot, or none
+    down   names of the balls that are off the table
     """
 
     table: str
     balls: tuple[tuple[str, Place], ...]
     texts: tuple[str, ...] = ()
+    down: tuple[str, ...] = ()
 
     def line(self) -> str:
         """The set-up in one line, to the last bit; `read` takes it back."""
         parts = [MARK, self.table]
         parts += [f"{name.replace(' ', '_')}={x!r},{y!r}" for name, (x, y) in self.balls]
+        parts += [f"{name.replace(' ', '_')}={DOWN}" for name in self.down]
         return " ".join(parts + ["shot=" + ",".join(self.texts)] * bool(self.texts))
 
     def world(self) -> World:
         """The table with these balls at rest."""
         world, places = _table(self.table), dict(self.balls)
         if self.table in presets.TABLES:
-            for ball in _balls(self.table, [*places]).values():
+            for ball in _balls(self.table, [*places, *self.down]).values():
                 world.add(ball)
         world.stop()
         for ball in world.balls:
             ball.spin = (0.0, 0.0, 0.0)
-            ball.position = places[ball.name]
+            ball.position = places.get(ball.name, ball.position)
+        for name in self.down:
+            take(world, name)
         return world
 
 
@@ -72,8 +81,10 @@ def read(line: str) -> Lineup:
     texts: tuple[str, ...] = ()
     if parts[-1].startswith("shot="):
         texts = _shot(parts.pop())
-    balls = tuple(_ball(word) for word in parts[2:])
-    found = Lineup(parts[1], balls, texts)
+    gone = [word for word in parts[2:] if word.endswith(f"={DOWN}")]
+    balls = tuple(_ball(word) for word in parts[2:] if word not in gone)
+    down = tuple(word.partition("=")[0].replace("_", " ") for word in gone)
+    found = Lineup(parts[1], balls, texts, down)
     _check(found)
     return found
 
@@ -98,7 +109,7 @@ def _shot(word: str) -> tuple[str, ...]:
 
 def _check(found: Lineup) -> None:
     """LineError for balls that are unknown, there twice, missing, outside or in each other."""
-    names = [name for name, _ in found.balls]
+    names = [*(name for name, _ in found.balls), *found.down]
     if len({*names}) < len(names):
         raise LineError("twice", next(n for n in names if names.count(n) > 1))
     balls = _balls(found.table, names)
@@ -106,11 +117,13 @@ def _check(found: Lineup) -> None:
         if name not in balls:
             raise LineError("name", name)
     lost = [ball.name for ball in _table(found.table).balls if ball.name not in names]
-    if lost or not names:
+    if lost or not found.balls:
         raise LineError("missing", ", ".join(lost or [*presets.BALLS][:1]))
-    walls = _table(found.table).walls
+    if {"cue", "white"} & {*found.down}:
+        raise LineError("down", ", ".join({"cue", "white"} & {*found.down}))
+    table = _table(found.table)
     for i, (name, at) in enumerate(found.balls):
-        if any(wall.distance(at) < balls[name].radius - TOUCHING for wall in walls):
+        if not placing.fits(table, at, balls[name].radius - TOUCHING):
             raise LineError("outside", name)
         for other, spot in found.balls[:i]:
             apart = abs(complex(*at) - complex(*spot))
@@ -127,7 +140,7 @@ def _balls(table: str, names: list[str]) -> dict[str, Ball]:
     """Those balls of a table that are called `names`, new and wherever they lie."""
     if table in presets.TABLES:
         kind = presets.TABLES[table]
-        known = (*presets.BALLS, "red")
+        known = presets.known(table)
         return {
             name: Ball(name, (0.0, 0.0), radius=kind.radius, mass=kind.mass)
             for name in names
@@ -144,8 +157,9 @@ def of(world: World, table: str, texts: Sequence[str] = ()) -> Lineup:
     world = world.copy()
     world.engine = EventDriven()
     world.part()
-    balls = tuple((ball.name, ball.position) for ball in world.balls)
-    return Lineup(table, balls, tuple(texts))
+    balls = tuple((ball.name, ball.position) for ball in world.balls if not ball.gone)
+    down = tuple(ball.name for ball in world.balls if ball.gone)
+    return Lineup(table, balls, tuple(texts), down)
 
 
 # -- the shelf -----------------------------------------------------------------------------------
@@ -161,15 +175,42 @@ class Ready:
 
 
 def shelf() -> Iterator[Ready]:
-    """Every ready set-up: both games' positions, openings first, then the physics scenes."""
+    """Every ready set-up: the games' positions, openings first, then the physics scenes."""
     for group, table in (("sagu", "medium"), ("three_cushion", "match")):
         positions = [opening(group), *(p for p in SHELF if p.game == group)]
         for position in positions:
             yield Ready(group, position.key, _of_position(position, table))
+    yield from _racks()
+    for position in DRILLS:
+        yield Ready(position.game, position.key, _of_drill(position))
     for name in presets.SCENES:
         world = presets.scene_world(name)
         balls = tuple((ball.name, ball.position) for ball in world.balls)
         yield Ready("scenes", name, Lineup(name, balls))
+
+
+RACKS = (
+    ("pool", "rack_8", "pool-9", "8-ball"), ("pool", "rack_9", "pool-9", "9-ball"),
+    ("snooker", "opening", "snooker", "snooker"), ("pyramid", "opening", "pyramid", "pyramid"),
+)  # fmt: skip
+TABLES = {POOL: "pool-9", SNOOKER: "snooker", PYRAMID: "pyramid"}
+
+
+def _racks() -> Iterator[Ready]:
+    """The opening of each game with a rack."""
+    for group, key, table, rack in RACKS:
+        world = presets.table_world(table)
+        cue = world.ball("cue").position
+        balls = [(ball.name, ball.position) for ball in world.table.rack(rack)]
+        yield Ready(group, key, Lineup(table, (("cue", cue), *balls)))
+
+
+def _of_drill(position: Position) -> Lineup:
+    kind = presets.TABLES[TABLES[position.game]]
+    angle, speed, right, up = position.answer
+    spins = f"{2.5 * speed * up:.4g}", "0", f"{2.5 * speed * right:.4g}"
+    places = position.on(kind.length, kind.width)
+    return Lineup(TABLES[position.game], (*places.items(),), (f"{speed:g}", *spins, f"{angle:g}"))
 
 
 def _of_position(position: Position, table: str) -> Lineup:

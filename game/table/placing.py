@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from cmath import exp
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import combinations, pairwise
 from math import acos
 
 from physics import Placed, World
@@ -22,6 +22,26 @@ def lying_at(at: Place) -> Placed:
     return Placed(complex(*at))
 
 
+def inside(world: World, at: Place) -> bool:
+    """Is a point (m) within the edge of the cushions?  Where a table has pockets a rail ends, so
+    what is behind it is not known by its distance."""
+    table = world.table
+    if table is None or table.pockets is None:
+        return True
+    edge, p = table.outline, complex(*at)
+    odd = False
+    for a, b in pairwise([*edge, edge[0]]):
+        if (a.imag > p.imag) != (b.imag > p.imag):
+            odd ^= p.real < a.real + (p.imag - a.imag) * (b.real - a.real) / (b.imag - a.imag)
+    return odd
+
+
+def fits(world: World, at: Place, radius: float) -> bool:
+    """Does a ball of that radius (m) lie free of all that stands there, and not in a pocket?"""
+    free = all(wall.distance(at) >= (radius if wall.pushes else 0.0) for wall in world.walls)
+    return free and inside(world, at)
+
+
 def slid(world: World, name: str, to: Place) -> Place:
     """The place nearest to `to` (metres) where the ball overlaps nothing: there it is laid down.
 
@@ -31,7 +51,7 @@ def slid(world: World, name: str, to: Place) -> Place:
     circles = [
         (complex(*ball.position), own.touching_distance(ball) + GAP)
         for ball in world.balls
-        if ball.name != name
+        if ball.name != name and not ball.gone
     ]
     circles += [circle for wall in world.walls for circle in wall.circles(own.radius, GAP)]
     sides = [line for wall in world.walls for line in wall.lines(own.radius, GAP)]
@@ -93,5 +113,4 @@ def _free(p: complex, circles: Sequence[Circle], world: World, reach: float) -> 
     """Is a place free?  What was found on an edge may lie half the gap behind it."""
     slack = GAP / 2
     apart = all(abs(p - centre) >= far - slack for centre, far in circles)
-    at = p.real, p.imag
-    return apart and all(wall.distance(at) >= reach - slack for wall in world.walls)
+    return apart and fits(world, (p.real, p.imag), reach - slack)

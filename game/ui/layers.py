@@ -13,8 +13,9 @@ import pygame
 from game.input import editing
 from game.input.key_tables import of_key, of_text
 from game.session.action import Action
+from game.session.commands import COMMANDS
 
-from .panels import asked_card, prompts
+from .panels import asked_card, nominate, prompts
 from .table import place_balls
 from .view import View
 
@@ -188,7 +189,11 @@ class TableLayer:
                 changed = view.hover(event.pos)
                 return answer(view.drag(event.pos), redraw=changed)
             case pygame.MOUSEBUTTONDOWN if event.button == 1:
-                return answer(view.press(event.pos), redraw=True)
+                pressed = answer(view.press(event.pos), redraw=True)
+                called = nominate.ball_at(event.pos, view.sight)
+                return pressed._replace(actions=(*called, *pressed.actions))
+            case pygame.MOUSEBUTTONDOWN if event.button == 3:
+                return answer(nominate.cue_at(event.pos, view.sight))
             case pygame.MOUSEBUTTONUP if event.button == 1:
                 return Answer(redraw=True)
             case pygame.MOUSEWHEEL:
@@ -207,6 +212,7 @@ class Layers:
     """All of them, from the top; `first` lie above those of every game."""
 
     def __init__(self, view: View, *first: Layer) -> None:
+        self.view = view
         self.stack: tuple[Layer, ...] = (
             *first, QuestionLayer(view), KeysLayer(view), PageLayer(view), AskedLayer(view),
             PlacingLayer(view), BoxLayer(view), TableLayer(view),
@@ -215,4 +221,9 @@ class Layers:
     def ask(self, event: pygame.event.Event, texts: bool) -> Answer:
         """Return what the first layer says that does not pass an event of INPUT on."""
         answers = (layer.answer(event, texts) for layer in self.stack)
-        return next((found for found in answers if found is not None), Answer())
+        found = next((found for found in answers if found is not None), Answer())
+        if not prompts.asking(self.view.session):
+            return found
+        # before the question of a match is answered nothing is aimed
+        left = (a for a in found.actions if a.name == "answer" or not COMMANDS[a.name].aims)
+        return found._replace(actions=(*left,), held=None)

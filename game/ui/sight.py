@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import pygame
@@ -14,6 +14,7 @@ from game.input.pointer import Pointer
 from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts.text_line import TextLine
+from game.render.theme import BallLook
 from game.session.session import Session
 from game.settings.preferences import Preferences
 from game.settings.settings import Settings
@@ -30,6 +31,7 @@ class Sight:
     mode         of the right column: "aim" shows the next shot, "after" the last one
     portrait     the picture of a ball, by its place among the balls, for lists and plates
     composition  what an input method is composing
+    looks        of the balls, in their order
     choice       the answer in focus while a match asks something, from 0
     """
 
@@ -42,6 +44,7 @@ class Sight:
     mode: str = "aim"
     portrait: Callable[[int], pygame.Surface] | None = None
     composition: Composition = field(default_factory=Composition)
+    looks: Sequence[BallLook] = ()
     choice: int = 0
 
     @property

@@ -129,7 +129,7 @@ class View:
         self.sight = Sight(self.session, layout, Type(layout.s), *given)
         self.sight.composition = self.composition
         self.stage = Stage(layout, self.session, self.preferences.settings, self.spread)
-        self.sight.portrait = self.stage.sprites.portrait
+        self.sight.portrait, self.sight.looks = self.stage.sprites.portrait, self.stage.looks
         self.parts = fixed_parts(layout) + shot_parts(layout)
         self._drawn: dict[str, Hashable] = {}
         self._mode = ""

@@ -26,7 +26,7 @@ def assert_all_lie_free(world):
     for ball in world.balls:
         assert min(wall.distance(ball.position) for wall in world.walls) >= ball.radius
     for a, b in combinations(world.balls, 2):
-        assert dist(a.position, b.position) >= a.radius + b.radius
+        assert dist(a.position, b.position) >= a.radius + b.radius - 1e-12  # racks touch
 
 
 # -- placing -------------------------------------------------------------------------------------

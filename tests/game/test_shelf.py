@@ -25,7 +25,7 @@ def test_a_set_up_is_taken_from_the_shelf_by_keys_and_by_mouse():
     click(app, shelf_view.card_rect(1, layout).center)
     assert app.session.table == "match"
     assert app.session.page == ""
-    press(app, "f4", "pagedown", "return")
+    press(app, "f4", *["pagedown"] * (shelf_view.GROUPS.index("scenes") - 1), "return")
     assert app.session.table == "thesis_1"
     assert app.session.moving
 

@@ -78,12 +78,20 @@ class ShelfPage:
     def open(self, session: Session) -> None:
         """Begin with the group of the game that is played."""
         self._session = session
-        own = session.table if session.contest is None else session.contest.terms.game
-        if own in ("match", "three-cushion") and self.group == 0:
-            self.group = 1
+        if self.group == 0:
+            self.group = self._usual(session)
         self.focus, self.said = 0, ("", "")
         if self.library.faulty:
             self.said = "shelf.broken", ""
+
+    @staticmethod
+    def _usual(session: Session) -> int:
+        """The group of the game that is played, or of the table."""
+        own = session.table if session.contest is None else session.contest.terms.game
+        kind = getattr(session.world.table, "kind", "carom")
+        if kind != "carom":
+            return GROUPS.index(kind)
+        return int(own in ("match", "three-cushion"))
 
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
@@ -155,7 +163,8 @@ class ShelfPage:
 
     def _show(self, group: int) -> None:
         self.group, self.focus = group % len(GROUPS), 0
-        self.said = ("shelf.broken", "") if self.library.faulty and self.group == 3 else ("", "")
+        broken = self.library.faulty and GROUPS[self.group] == "own"
+        self.said = ("shelf.broken" if broken else "", "")
 
     def _tab(self, back: bool) -> None:
         """To the cards, the box, the first button, the next group."""

@@ -20,7 +20,7 @@ from game.ui.table.looks import look
 
 from . import page_parts
 
-GROUPS = ("sagu", "three_cushion", "scenes", "own")
+GROUPS = ("sagu", "three_cushion", "pool", "snooker", "pyramid", "scenes", "own")
 BUTTONS = ("save", "copy", "shot", "paste", "delete")
 COLUMNS, ROWS = 5, 2
 TAB, BOX, GAP = 34, 38, 10

@@ -19,7 +19,6 @@ from game.session.action import Action
 from game.settings.settings import CHOICES
 from game.ui.sight import Place, Sight
 from game.ui.table.drag_aim import stepped
-from game.ui.table.looks import look_of
 
 from . import pot_card
 from .parts import Panel, number
@@ -163,7 +162,8 @@ def thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> 
 
 def _ui(sight: Sight, contact: FirstContact) -> Colour:
     """The colour of the ball that is met."""
-    return look_of(sight.session.world, contact.ball, sight.settings.colours).ui
+    names = [ball.name for ball in sight.session.world.balls]
+    return sight.looks[names.index(contact.ball)].ui
 
 
 def thickness_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:

@@ -8,7 +8,7 @@ from game.aim.spread import ANGLE
 from game.render.parts import gauges
 from game.session.session import Session
 from game.ui.sight import Sight
-from game.ui.table.looks import ball_words, look_of
+from game.ui.table.looks import ball_words
 
 from . import tray
 from .parts import number
@@ -56,7 +56,8 @@ def draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rec
     seen = session.preview
     assert seen is not None and seen.contact is not None  # noqa: PT018
     contact = seen.contact
-    colour = look_of(session.world, contact.ball, sight.settings.colours).ui
+    names = [ball.name for ball in session.world.balls]
+    colour = sight.looks[names.index(contact.ball)].ui
     items = [(f"{number(contact.cut, 0)}°", w["pot.cut"])]
     if (share := sight.spread.share) is not None:
         items.append((f"{round(100 * share)} %", w["pot.made"].format(angle=ANGLE)))

@@ -20,7 +20,7 @@ from game.ui.sight import Place, Sight
 from game.ui.table import drag_aim, place_balls
 from game.ui.table.looks import ball_words, looks_of
 
-from . import aim_panel, asked_card, score_plates, time_strip
+from . import aim_panel, asked_card, nominate, score_plates, time_strip
 from .parts import Panel, number
 
 # -- the row above the table ---------------------------------------------------------------------
@@ -188,9 +188,14 @@ def _log_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 
 def _table_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
     session = sight.session
-    if session.arranging:
+    on_bed = sight.layout.bed.collidepoint(at)
+    if session.arranging and (on_bed or not sight.pointer.pressing):
         return place_balls.touch(at, sight)
-    if session.moving or not sight.layout.bed.collidepoint(at):
+    if session.moving:
+        return None
+    if sight.pointer.pressing and (pocket := nominate.pocket_at(at, sight)):
+        return Action("call", f"pocket {pocket}")
+    if session.arranging or not on_bed:
         return None
     return drag_aim.touch(at, sight)
 
@@ -214,5 +219,5 @@ def shot_parts(layout: Layout) -> list[Panel]:
         asked_card.part(layout),
         Panel("result", layout.result, _result_look, _result_draw, mode="after"),
         Panel("log", layout.log, _log_key, _log_draw, _log_touch, mode="after"),
-        Panel("table", layout.bed, *table, drags=True, wheel=drag_aim.wheel),
+        Panel("table", layout.table, *table, drags=True, wheel=drag_aim.wheel),
     ]

@@ -13,7 +13,7 @@ from game.render import theme
 from game.render.parts import cards, shapes
 from game.session.session import Session
 from game.ui.sight import Sight
-from game.ui.table.looks import ball_words, look_of
+from game.ui.table.looks import ball_words
 
 SLOT = 11
 """Radius of a slot at most, px at s = 1."""
@@ -74,7 +74,8 @@ def _slot(
         b for b in balls if b.name == name
     ]  # fmt: skip
     left = [ball for ball in mine if not ball.gone]
-    colour = look_of(session.world, mine[0].name, sight.settings.colours).body
+    place = next(i for i, ball in enumerate(balls) if ball is mine[0])
+    colour = sight.looks[place].body
     edge = theme.ACCENT if name in targets(session) else theme.LINE_INPUT
     down = not left or name == "red"
     shapes.disc(surface, at, radius, colour if down else theme.PANEL, edge, 1.5 * t.s)

@@ -43,12 +43,6 @@ def _other(found: Mapping[str, BallLook], place: int) -> str:
     return names[place % len(names)]
 
 
-def look_of(world: World, name: str, colours: str = "usual") -> BallLook:
-    """The look of the ball of that name in a world."""
-    place = next(i for i, ball in enumerate(world.balls) if ball.name == name)
-    return look(name, place, colours, kind_of(world))
-
-
 def looks_of(world: World, colours: str = "usual") -> list[BallLook]:
     """The looks of all balls of a world, in their order."""
     kind = kind_of(world)

@@ -26,6 +26,8 @@ DONE = (pygame.K_ESCAPE, pygame.K_RETURN, pygame.K_KP_ENTER)
 def touch(at: Place, sight: Sight) -> Action | None:
     """What a press on the cloth, or a drag from there, means while balls are placed."""
     session, spot = sight.session, sight.layout.to_table(*at)
+    if session.contest is not None and not session.contest.match.finished:
+        return _in_hand(spot, sight)
     if sight.pointer.pressing:
         near = min(session.world.balls, key=lambda ball: dist(ball.position, spot))
         if dist(near.position, spot) < REACH * near.radius:
@@ -33,6 +35,22 @@ def touch(at: Place, sight: Sight) -> Action | None:
             return Action("hold", near.name)
         sight.pointer.grip = (0.0, 0.0)
     off, pointer = sight.pointer.grip, sight.pointer
+    if not isinstance(off, tuple) or not (pointer.pressing or pointer.stirred):
+        return None
+    return Action("move", f"{spot[0] + off[0]:.5f} {spot[1] + off[1]:.5f}")
+
+
+def _in_hand(spot: Place, sight: Sight) -> Action | None:
+    """Where the cue ball of a match goes: where the mouse is, or by as much as it is dragged."""
+    pointer = sight.pointer
+    if pointer.pressing:
+        ball = sight.session.world.ball(sight.session.held_ball)
+        near = dist(ball.position, spot) < REACH * ball.radius
+        away = tuple(p - q for p, q in zip(ball.position, spot, strict=True))
+        pointer.grip = away if near else (0.0, 0.0)
+        if near:
+            return None
+    off = pointer.grip
     if not isinstance(off, tuple) or not (pointer.pressing or pointer.stirred):
         return None
     return Action("move", f"{spot[0] + off[0]:.5f} {spot[1] + off[1]:.5f}")

@@ -1,0 +1,119 @@
+"""A match of pool in the window: by keys alone, and by the mouse alone."""
+
+import pytest
+
+from game.session import terms
+from game.session.action import Action
+from game.ui.panels import asked_card, rack_words, tray
+from game.ui.panels.parts import hint
+from tests.support.players import an_app, assert_same_as_anew, click, press, run_to_rest, write
+from tests.support.racked_games import leave
+
+GAMES = [name for name, one in terms.DISCIPLINES.items() if one.rules and not one.position]
+
+
+def app_of(game, **more):
+    return an_app(size=(1280, 720), game=game, table=terms.DISCIPLINES[game].table, **more)
+
+
+def test_the_break_is_placed_aimed_and_shot_by_keys():
+    app = app_of("8-ball")
+    session = app.session
+    assert session.arranging
+    before = session.world.ball("cue").position
+    press(app, "up", "left", "shift+up")
+    after = session.world.ball("cue").position
+    assert after == pytest.approx((before[0] - 0.02, before[1] + 0.021))
+    press(app, *["right"] * 9)  # the head string is in the way
+    assert session.world.ball("cue").position[0] < session.world.table.head_string
+    assert "head string" in hint(session, app.view.sight.words)[0]
+    press(app, "return")
+    assert not session.arranging
+    press(app, "return")
+    assert session.moving
+    run_to_rest(app)
+    assert session.contest.verdict is not None
+    assert_same_as_anew(app)
+
+
+def test_a_question_is_answered_by_a_key_and_nothing_is_typed_meanwhile():
+    app = app_of("8-ball")
+    press(app, "return")
+    app.perform(Action("play", "0.2 0 0 0 0"))
+    run_to_rest(app)
+    session = app.session
+    assert len(asked_card.options(session)) == 3
+    assert_same_as_anew(app)
+    texts = list(session.aim.texts)
+    write(app, "7")
+    press(app, "down", "right")
+    assert app.view.sight.choice == 1
+    assert session.aim.texts == texts
+    press(app, "3")
+    assert session.contest.match.asked is None
+    assert session.contest.match.at == 0  # the offender breaks again
+    assert_same_as_anew(app)
+
+
+def test_a_question_is_answered_by_a_click():
+    app = app_of("8-ball")
+    press(app, "return")
+    app.perform(Action("play", "0.2 0 0 0 0"))
+    run_to_rest(app)
+    app.frame(0)
+    click(app, asked_card.row_rect(app.view.sight.layout, 1).center)
+    assert app.session.contest.match.asked is None
+    assert app.session.arranging
+
+
+def test_ball_and_pocket_are_called_by_keys_and_by_clicks():
+    app = app_of("8-ball")
+    session, layout = app.session, app.view.sight.layout
+    leave(session, cue=(-0.5, 0.0), b1=(0.3, 0.2), b2=(0.0, -0.4), b9=(0.6, 0.1), b8=(0.9, 0.0))
+    session.arranging = False
+    app.perform(Action("next"))
+    press(app, "k", "o")
+    assert session.contest.match.call.ball == "1"
+    assert session.contest.match.call.pocket
+    click(app, layout.to_screen(0.0, -0.4))
+    assert session.contest.match.call.ball == "2"
+    click(app, layout.to_screen(1.28, 0.645))
+    assert session.contest.match.call.pocket == "north-east pocket"
+    press(app, "s")
+    assert session.contest.match.call.safety
+    assert not session.contest.match.call.ball
+
+
+def test_the_ball_in_hand_is_dragged_and_stays_where_it_may_not_go():
+    app = app_of("9-ball")
+    session, layout = app.session, app.view.sight.layout
+    click(app, layout.to_screen(-1.0, 0.3))
+    assert session.world.ball("cue").position == pytest.approx((-1.0, 0.3), abs=0.01)
+    before = session.world.ball("cue").position
+    click(app, layout.to_screen(0.5, 0.3))
+    assert session.world.ball("cue").position == before
+    assert hint(session, app.view.sight.words)[1]
+
+
+def test_the_tray_has_a_slot_for_each_ball_and_the_plates_say_the_groups():
+    app = app_of("8-ball")
+    assert tray.slots(app.session) == [str(n) for n in range(1, 16)]
+    words = app.view.sight.words
+    assert rack_words.line(app.session.contest, 0, words)[0] == "open table"
+    assert rack_words.middle(app.session.contest, words) == ("Rack", "1")
+    assert tray.slots(app_of("snooker").session)[0] == "red"
+
+
+@pytest.mark.parametrize("game", GAMES)
+@pytest.mark.parametrize("lang", ["en", "ko"])
+def test_a_few_strokes_of_each_game_by_keys_look_the_same_in_part_and_anew(game, lang):
+    app = app_of(game, lang=lang)
+    for _ in range(3):
+        press(app, "return")
+        for _ in range(6):
+            if app.session.moving:
+                break
+            press(app, "return")
+        run_to_rest(app)
+        assert_same_as_anew(app)
+    assert app.session.shots == 3
