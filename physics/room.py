@@ -10,6 +10,7 @@ from .wall import Obstacle, Wall
 OUT = 1e3  # times as far as any line: there a table that does not close ends
 REACHED = 1e-12  # of that: a line that is no farther away from the table bounds it
 ALONG = 1e-9  # how far the normals of two lines that are parallel may differ
+MIDDLE = 0.0, 0.0  # a line faces the same way everywhere
 
 
 def check_room(thing: Obstacle, others: Sequence[Obstacle]) -> None:
@@ -62,7 +63,7 @@ def _check_lines(lines: list[Wall], new: Wall) -> None:
 
 def _moves_in(new: Wall, old: Wall) -> bool:
     """Is it the same side of the table, nearer?"""
-    return bool(length(new.normal - old.normal) < ALONG)
+    return bool(length(new.facing(MIDDLE) - old.facing(MIDDLE)) < ALONG)
 
 
 def _bounds(line: Wall, corners: list[complex], far: float) -> bool:

@@ -6,7 +6,7 @@ from math import inf, isfinite, nan
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from physics.ball import Ball
-from physics.batch.many import Outcomes
+from physics.batch.outcomes import Outcomes
 from physics.checks import array
 from physics.kernel.kinds import KINDS, PHASE_NAMES
 from physics.log import Leg, Log

@@ -57,7 +57,7 @@ def _pockets(world: World) -> list[Any]:
 def _thing(wall: Any, half: tuple[float, float]) -> Thing | None:
     """What of an obstacle is to be drawn; None if nothing is."""
     if wall.kind == "line":
-        ends = across(wall.normal, wall.offset, half)
+        ends = across(*wall.lines(0.0, 0.0)[0], half)
         return Thing("wall", ends) if len(ends) == 2 else None
     if wall.kind in ("post", "pocket"):
         return Thing(wall.kind, [wall.at], wall.radius)
