@@ -130,7 +130,8 @@ def _run(
     script = read(options.script) if options.script else None
     recorder = Recorder(options.record, options, session) if options.record else None
     try:
-        app = App(session, options, script, preferences, replay or recorder)
+        folder = start.kept_in(options, preferences)
+        app = App(session, options, script, preferences, replay or recorder, folder)
     except pygame.error as error:
         raise ValueError(f"cannot open a window: {error}") from None
     start.greet(app)

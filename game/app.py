@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from pathlib import Path
 
 import pygame
 
@@ -19,11 +20,14 @@ from .session.commands import COMMANDS
 from .session.commands import perform as perform_command
 from .session.session import Session
 from .session.ticks import seconds
+from .settings.keeper import Keeper
 from .settings.preferences import Preferences
 from .sound.hearing import SILENCE, Ear
 from .table.presets import size as table_size
 from .ui.layers import INPUT, MOUSE, Layers
 from .ui.pages import question
+from .ui.pages.menu import MenuPage
+from .ui.pages.score_page import ScorePage
 from .ui.view import View
 from .ui.watching import WatchingLayer
 from .window.canvas import Canvas
@@ -55,6 +59,7 @@ class App:
         script: Script | None = None,
         preferences: Preferences | None = None,
         journal: Recorder | Replay | None = None,
+        folder: Path | None = None,
     ) -> None:
         prepare_environment()
         pygame.display.init()
@@ -69,6 +74,8 @@ class App:
         length, width = table_size(session.world)
         self.view = View(session, self.canvas.surface.get_size(), length, width, self.preferences)
         self.ear = Ear(length / 2)
+        self.keeper = Keeper(session, folder)
+        self._offer()
         self._world = session.world
         self.journal = journal
         self.replay = journal if isinstance(journal, Replay) else None
@@ -225,6 +232,12 @@ class App:
             perform_command(self.session, action)
         self.journal.after()
 
+    def _offer(self) -> None:
+        """Let the pages know what is kept of matches."""
+        menu, score = self.view.pages["menu"], self.view.pages["score"]
+        if isinstance(menu, MenuPage) and isinstance(score, ScorePage):
+            menu.offers, score.career = self.keeper.offered, self.keeper.statistics.of
+
     def redraw(self, changed: bool = True) -> None:
         """Draw in this frame even if nothing of the game has changed."""
         self._shown_version = -1 if changed else self._shown_version
@@ -270,6 +283,7 @@ class App:
         self.session.advance(ticks)
         if self.journal is not None:
             self.journal.passed()
+        self.keeper.note()
         self.view.stage.follow(self.session)
 
     def _watch(self, replay: Replay, end: int) -> int:

@@ -122,7 +122,7 @@ def asked(options: Options) -> terms.Terms:
     )
     law, finish = options.law or "table", options.finish or terms.EXTRA_3C
     played_on = options.table, options.cloth, law, options.engine
-    return terms.Terms(options.game, seats, *played_on, finish)
+    return terms.Terms(options.game, seats, *played_on, finish, seed=options.seed % (1 << 32))
 
 
 class _Raising(commandline.Parser):

@@ -11,11 +11,15 @@ from typing import TYPE_CHECKING
 import pygame
 
 from .app import App, prepare_environment
+from .contradictions import LAID
 from .options import Options
 from .replay.recorder import Recorder
+from .session.action import Action
 from .settings import user_files
 from .settings.preferences import Preferences
 from .settings.settings import Store
+from .table import library
+from .ui.pages.menu import MenuPage
 
 if TYPE_CHECKING:
     from .replay.replay import Replay
@@ -82,8 +86,24 @@ def preferences(options: Options) -> Preferences:
     return Preferences(store.read()) if options.replay else Preferences(store.load(), store)
 
 
+def kept_in(options: Options, preferences: Preferences) -> Path | None:
+    """Return the folder in which matches and figures are kept; None where nothing is."""
+    if preferences.store is None or options.replay:
+        return None
+    return library.folder()
+
+
 def greet(app: App) -> None:
-    """Say once that the settings were broken, or that there is no place for them."""
+    """Say once that the settings were broken, or that there is no place for them; where nothing
+    else was asked for, offer the match that can be gone on with."""
+    begun = {*LAID, "script"} & app.options.given
+    if not begun and app.keeper.offered():
+        app.perform(Action("sheet", "menu"))
+        menu = app.view.pages["menu"]
+        if isinstance(menu, MenuPage):
+            menu.offer()
+    elif app.keeper.matches.faulty:
+        app.session.say("match.broken")
     store = app.preferences.store
     if store is not None and (store.trouble or store.path is None):
         app.session.say("settings.unsaved", error=True)

@@ -16,8 +16,8 @@ from game.text.quoting import shortly
 
 from . import match_commands as match
 from . import play_commands as play
+from . import saved, terms
 from . import table_commands as table
-from . import terms
 from .action import Action
 from .command import Command, HelpRow, Key
 from .session import Session
@@ -35,7 +35,7 @@ from .values import (
 
 LAST = 99
 """Place of a row that has not been given any."""
-PAGES = ("", "settings", "menu", "shelf", "rules", "ask")
+PAGES = ("", "settings", "menu", "shelf", "rules", "score", "ask")
 """What may lie over the table: "ask" is a question alone."""
 
 
@@ -166,9 +166,11 @@ TABLE = (
             rows=(HelpRow("always", 3, "@settings", "key.settings"),), keeps_notice=True),
     Command("sheet", table.page, one_of("PAGE", PAGES),
             (Key("f4", "shelf", always=True), Key("f5", "rules", always=True),
-             Key("f10", "menu", always=True), Key("escape", "menu")),
+             Key("f6", "score", always=True), Key("f10", "menu", always=True),
+             Key("escape", "menu")),
             (HelpRow("always", 4, "@sheet shelf", "key.sheet shelf"),
              HelpRow("always", 5, "@sheet rules", "key.sheet rules"),
+             HelpRow("always", 5.5, "@sheet score", "key.sheet score"),
              HelpRow("always", 6, "@sheet menu", "key.sheet menu")), keeps_notice=True),
     # what no key does that a player could choose
     Command("type", play.type_into, text("TEXT"),
@@ -202,6 +204,8 @@ TABLE = (
     Command("hold", table.hold, text("BALL"), aims=True),
     Command("move", table.move, numbers('"X Y"', 2), drags=True, aims=True),
     Command("match", table.match, line("TERMS", terms.read, "the terms of a match"),
+            ends_match="begun"),
+    Command("resume", table.resume, line("SAVED", saved.read, "a saved match"),
             ends_match="begun"),
     Command("line", table.line, line("LINE", lineup.read, "a set-up"), ends_match="always"),
     Command("scene", table.scene, one_of("NAME", presets.SCENES, needed=True), ends_match="always"),

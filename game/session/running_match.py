@@ -20,7 +20,8 @@ from game.aim.entry import plain
 from game.aim.preview import Outcome
 from physics import Log, Placed, World, heading
 
-from . import calls, carom_table
+from . import calls, carom_table, scorecard
+from .scorecard import Card
 from .terms import FREE, HUMAN, SKILLS, START, Terms
 
 HARD = "8"
@@ -35,6 +36,7 @@ class Standing(NamedTuple):
     shooter: int
     race: Race
     lies: tuple[Placed, ...] | None = None
+    card: Card = ()
 
 
 @dataclass(slots=True)
@@ -49,6 +51,7 @@ class Contest:
     share     of strokes like the one intended that would score, for the picture: the computer's
     thinking  is the computer still looking for a better one?
     lies      how the balls lay before the last stroke, None before the first one
+    card      the visits to the table so far
     """
 
     terms: Terms
@@ -61,6 +64,7 @@ class Contest:
     share: float | None = None
     thinking: bool = False
     lies: tuple[Placed, ...] | None = None
+    card: Card = ()
     _before: Standing | None = None
     _entries: dict[int, list[str]] = field(default_factory=dict)
 
@@ -180,9 +184,10 @@ class Contest:
         """All balls lie still: judge the stroke in the world's log, after which it is the next
         one's turn; returns whether balls have been laid elsewhere."""
         self.pending = False
-        before, lay = self.match, world.layout()
+        before, lay, rack = self.match, world.layout(), self.rack
         done = observer.seen(world, before)
         self._rule(before.ruled(done), before)
+        self.card = scorecard.after(self.card, before, before.ruled(done), rack)
         if self.terms.discipline.position:
             return carom_table.settled(world, before, self.match, self.verdict, self.terms.world())
         verdict = before.ruled(done)
@@ -251,11 +256,11 @@ class Contest:
 
     def snapshot(self) -> Standing:
         """How the match stands: to be kept before a stroke."""
-        return Standing(self.match, self.verdict, self.shooter, self.race, self.lies)
+        return Standing(self.match, self.verdict, self.shooter, self.race, self.lies, self.card)
 
     def restore(self, standing: Standing) -> str:
         """Stand again as then; returns the cue ball of the player at the table."""
-        self.match, self.verdict, self.shooter, self.race, self.lies = standing
+        self.match, self.verdict, self.shooter, self.race, self.lies, self.card = standing
         self.pending, self.given, self.share = False, True, None
         return self.match.cue
 

@@ -8,7 +8,7 @@ from game.table import lineup, placing, presets
 from game.text import LANGUAGES
 from physics import World
 
-from . import equipment, match_commands, terms
+from . import equipment, match_commands, saved, terms
 from .running_match import Contest
 from .session import Session
 
@@ -83,6 +83,25 @@ def match(session: Session, text: str) -> None:
         session.aim.finish()
 
 
+def resume(session: Session, text: str) -> None:
+    """Go on with a saved match, to the last bit as it stood; ValueError for a text that is none."""
+    found = saved.read(text)
+    match(session, found.terms.line())
+    contest, kept = session.contest, found.kept
+    assert contest is not None
+    lies = dict(zip(kept.balls, kept.layout, strict=True))
+    session.put([lies[ball.name] for ball in session.world.balls])
+    contest.match, contest.race, contest.card = found.standing, kept.race, kept.card
+    contest.lies, session.shots = kept.lies, kept.shots
+    session.lies = kept.lies or session.world.layout()
+    session.history.clear()
+    session.seat()
+    session.aim.spent()
+    contest.given = session.arranging = False
+    session.show_aim()
+    session.aim.finish()
+
+
 def scene(session: Session, name: str) -> None:
     """Begin with a scene of the physics package; KeyError if there is none of that name."""
     session.page = ""
@@ -153,8 +172,10 @@ def move(session: Session, to: str) -> None:
         return
     held, balls = session.held_ball, session.world.balls
     found = placing.slid(session.world, held, (x, y))
-    if found != session.world.ball(held).position:
-        session.lay([found if ball.name == held else ball.position for ball in balls])
+    if found != session.world.ball(held).position or session.world.ball(held).gone:
+        there = placing.lying_at(found)
+        session.put([there if ball.name == held else ball.placed for ball in balls])
+        session.lies = session.world.layout()
 
 
 # -- pages ---------------------------------------------------------------------------------------

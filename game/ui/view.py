@@ -24,6 +24,7 @@ from .pages.menu import MenuPage
 from .pages.page_parts import Page
 from .pages.question import Question
 from .pages.rules_page import RulesPage
+from .pages.score_page import ScorePage
 from .pages.settings_page import SettingsPage
 from .pages.shelf import ShelfPage
 from .panels.asked_card import options
@@ -52,7 +53,7 @@ class View:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
         self.pages: dict[str, Page] = {
             "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
-            "rules": RulesPage(), "ask": question.QuestionPage(),
+            "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
         }  # fmt: skip
         self.composition = Composition()
         self.question: Question | None = None

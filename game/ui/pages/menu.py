@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
 from dataclasses import replace
+from random import randrange
 
 import pygame
 
 from game.input import editing
 from game.input.key_tables import character
 from game.render.parts import text_line
+from game.session import saved
 from game.session.action import Action
 from game.session.session import Session
 from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, Terms
@@ -39,6 +41,9 @@ class MenuPage:
         """Has the text been edited since?  Until then arrows count a number up and down."""
         self.refused = ""
         """Why the last characters did not go into the row: "digits" or "full"."""
+        self.offers: Callable[[], str] = str
+        """Asks for the line of the match that can be gone on with, "" if there is none."""
+        self._offered = ""
         self._left: MenuRow | None = None
         """The row of text that was left last: a syllable may come only then."""
 
@@ -46,8 +51,13 @@ class MenuPage:
         """Begin with what is being played."""
         begun = session.contest.terms if session.contest else self._free(session)
         self.terms = replace(begun, engine=session.match_engine)
-        self._left = None
+        self._left, self._offered = None, self.offers()
         self._focus(0)
+
+    def offer(self) -> None:
+        """Begin with the match that can be gone on with."""
+        if self._offered:
+            self._focus(len(self.rows) + BUTTONS.index("resume"))
 
     def _free(self, session: Session) -> Terms:
         table = session.table if session.table in presets.TABLES else "medium"
@@ -76,8 +86,9 @@ class MenuPage:
     @property
     def _look(self) -> MenuLook:
         return MenuLook(
-            self.terms, self.rows, self.focus, self.over, self.field, self.touched, self.refused
-        )
+            self.terms, self.rows, self.focus, self.over, self.field, self.touched, self.refused,
+            saved.read(self._offered).terms if self._offered else None,
+        )  # fmt: skip
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
         """Draw the menu; returns its rectangle."""
@@ -212,11 +223,19 @@ class MenuPage:
         to = text_line.place_at(window, sight.type, line, menu_view.SIZE, at[0], "centre")
         self.field.go(to)
 
-    def _do(self, name: str) -> Action:
+    def _do(self, name: str) -> Action | None:
         match name:
             case "start":
-                return Action("match", self.terms.line())
+                return Action("match", _with_a_rack_of_its_own(self.terms).line())
+            case "resume":
+                return Action("resume", self._offered) if self._offered else None
             case "quit" | "help" | "settings":
                 return Action(name)
             case _:
                 return Action("sheet", name)
+
+
+def _with_a_rack_of_its_own(terms: Terms) -> Terms:
+    """The terms with a seed that no match before had: what is recorded is the seed."""
+    racked = terms.game != FREE and not terms.discipline.position
+    return replace(terms, seed=randrange(1 << 32)) if racked else terms

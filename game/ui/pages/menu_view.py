@@ -20,7 +20,7 @@ from game.ui.sight import Sight
 from . import page_parts
 from .menu_rows import MenuRow
 
-BUTTONS = ("start", "shelf", "rules", "help", "settings", "quit")
+BUTTONS = ("start", "resume", "shelf", "rules", "help", "settings", "quit")
 ROW, STRIDE = 38, 46
 HEAD = 26
 ARROW = 30
@@ -52,6 +52,7 @@ class MenuLook(NamedTuple):
     field    the text of the row in focus, if it is one that is typed into
     touched  has it been edited since?
     refused  why the last characters did not go into it: "digits" "full" or ""
+    offered  the terms of the match that can be gone on with, None if there is none
     """
 
     terms: Terms
@@ -61,6 +62,7 @@ class MenuLook(NamedTuple):
     field: TextField | None
     touched: bool
     refused: str
+    offered: Terms | None
 
     @property
     def row(self) -> MenuRow | None:
@@ -108,7 +110,7 @@ def button_rects(layout: Layout) -> list[pygame.Rect]:
     """Return the buttons below the rows, the primary one first and wider."""
     area, height = page_parts.inside(layout), layout.px(page_parts.BUTTON)
     bar = pygame.Rect(area.x, area.bottom - height, area.w, height)
-    return page_parts.row_of(bar, (1.7, 1, 1, 1, 1, 1), layout.px(10))
+    return page_parts.row_of(bar, (1.5, 1.3, 1, 1, 1, 1, 1), layout.px(10))
 
 
 def spot_at(at: tuple[int, int], sight: Sight, rows: Sequence[MenuRow]) -> MenuSpot:
@@ -168,6 +170,8 @@ def _heads(surface: pygame.Surface, sight: Sight, terms: Terms) -> None:
 
 def _foot(w: dict[str, str], menu: MenuLook) -> str:
     row, terms = menu.row, menu.terms
+    if row is None and BUTTONS[menu.focus - len(menu.rows)] == "resume":
+        return _offer(w, menu.offered)
     if row is None:
         return w["menu.hint.button"]
     if menu.refused:
@@ -180,6 +184,14 @@ def _foot(w: dict[str, str], menu: MenuLook) -> str:
     if row.kind == "number" and menu.touched:
         return w["menu.hint.digits"]
     return w["menu.hint." + row.kind]
+
+
+def _offer(w: dict[str, str], offered: Terms | None) -> str:
+    """Which match would be gone on with."""
+    if offered is None:
+        return w["menu.nothing"]
+    names = " – ".join(player_name(offered, i, w) for i in range(len(offered.seats)))
+    return w["menu.offered"].format(game=w[f"game.{offered.game}"], names=names)
 
 
 def value_word(row: MenuRow, terms: Terms, w: dict[str, str]) -> str:
