@@ -143,11 +143,14 @@ def start(ball: body.Body) -> tuple[float, ...]:
 
 
 def _choose(world: World, shots: int, compiled: bool | None) -> bool:
-    """Whether to use the compiled kernel; a custom law cannot be compiled."""
+    """Whether to use the compiled kernel; custom laws must be marked for it."""
     rules = world.scene.ball_rule, world.scene.cushion_rule, *world.scene.rules
-    custom = any(isinstance(rule, CustomRule) for rule in rules)
+    custom = any(isinstance(rule, CustomRule) and rule.interpreted for rule in rules)
     if compiled and custom:
-        raise ValueError("a custom law runs interpreted: not with compiled=True")
+        raise ValueError(
+            "a custom law runs interpreted: not with compiled=True, unless it is marked as"
+            " @laws.compiled"
+        )
     if compiled is None:
         worth = shots >= WORTH and importlib.util.find_spec("numba") is not None
         return worth and not custom
