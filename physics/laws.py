@@ -20,13 +20,15 @@ from typing import Any, ClassVar
 
 from .checks import finite, fraction, keep, nonnegative
 from .cluster_laws import HertzCluster, cluster_law
+from .custom_laws import CustomRule as CustomRule
+from .custom_laws import compiled
 from .kernel import laws as kernel
 from .kernel.body import Rule
 
 __all__ = [
     "BallLaw", "CappedCushion", "CushionLaw", "HertzCluster", "MathavanCushion", "RigidCushion",
     "RoughBall", "SmoothBall", "ThesisBall", "ThesisCushion", "ball_law", "cluster_law",
-    "cushion_law",
+    "compiled", "cushion_law",
 ]  # fmt: skip
 
 MEASURED_SLIDE = 0.212  # the friction of the measured cloth, for a law tried without a cloth
@@ -281,16 +283,6 @@ BENT = RigidCushion | MathavanCushion  # laws that depend on the height of the n
 
 CushionLaw = _CushionLaw | Callable[[complex, complex, float], CushionState]
 BallLaw = _BallLaw | ThesisBall | Callable[[complex, complex, float, float], tuple[float, complex]]
-
-
-class CustomRule(Rule):
-    """A custom law, for the kernel."""
-
-    __slots__ = ("function",)
-
-    def __init__(self, rule: Rule, function: Callable[..., Any]) -> None:
-        super().__init__(rule.kind, rule.restitution, rule.friction, rule.height, rule.level)
-        self.function = function
 
 
 def cushion_law(law: "str | CushionLaw", before: "CushionLaw | None" = None) -> CushionLaw:

@@ -38,6 +38,7 @@ from physics.kernel.body import (
     ties,
 )
 from physics.kernel.obstacle import Shape
+from physics.laws import CustomRule
 
 from .outcomes import contact_type
 
@@ -46,7 +47,7 @@ _lock = Lock()  # threads may ask at once
 
 NAME = "physics.compiled_kernel"
 UNUSED = 7 * 86400.0  # s, see _forget
-BINDING = Path(__file__), Path(binding.__file__)
+BINDING = Path(__file__), Path(__file__).with_name("pointers.py"), Path(binding.__file__)
 DONE = "*/*.many-*.nbi"  # what numba writes when it has compiled
 
 
@@ -134,6 +135,8 @@ def _subset(folder: Path | None) -> ModuleType:
     from numba import njit
     from numba.core.registry import CPUDispatcher
 
+    from . import pointers
+
     # nothing here allocates, so no references need counting, of which a scene has many
     bare = partial(njit, nogil=True, error_model="numpy", _nrt=False, no_cfunc_wrapper=True)
 
@@ -158,8 +161,8 @@ def _subset(folder: Path | None) -> ModuleType:
     vars(subset).update(
         kernel=kernel, elementary=kernel, whole=whole,
         inf=inf, nan=nan, sqrt=sqrt, complex=complex, room=kernel(lambda ties, contacts: None),
-        custom_cushion=kernel(lambda v, roll, side, rule: (v, roll, side)),
-        custom_ball=kernel(lambda v, roll, side, mass, rule: (0.0 * mass, 0.0 * v)),
+        custom_cushion=kernel(pointers.custom_cushion()),
+        custom_ball=kernel(pointers.custom_ball()),
     )  # fmt: skip
     return subset
 
@@ -288,7 +291,17 @@ def loaded() -> bool:
 
 def packed(scene: Scene) -> Any:
     """The same scene in arrays of its own, for the compiled kernel."""
-    return _packed(scene, kernel().body)
+    body = kernel().body
+    for ball, rule in ((True, scene.ball_rule), *((False, rule) for rule in _cushions(scene))):
+        if isinstance(rule, CustomRule):
+            from .pointers import address
+
+            rule.address = address(rule.law, ball)
+    return _packed(scene, body)
+
+
+def _cushions(scene: Scene) -> tuple[Rule, ...]:
+    return scene.cushion_rule, *scene.rules
 
 
 def _packed(scene: Scene, body: Any) -> Any:

@@ -132,9 +132,12 @@ def job_of(
     """What plays the shots, so many at a time; ValueError if it cannot be compiled and must be."""
     if isinstance(world.engine, EventDriven) and world.cluster_law is None:
         rules = world.scene.ball_rule, world.scene.cushion_rule, *world.scene.rules
-        custom = any(isinstance(rule, CustomRule) for rule in rules)
+        custom = any(isinstance(rule, CustomRule) and rule.interpreted for rule in rules)
         if compiled and custom:
-            raise ValueError("a custom law runs interpreted: not with compiled=True")
+            raise ValueError(
+                "a custom law runs interpreted: not with compiled=True, unless it is marked as"
+                " @laws.compiled"
+            )
         choice = False if custom else compiled
         if choice is None and loaded():
             choice = True

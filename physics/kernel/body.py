@@ -97,6 +97,7 @@ class Rule:
     parting: float = 1e-3  # m/s: the least speed at which touching bodies separate
     restitution_slope: float = 0.0  # what both gain for each m/s, see kernel/coefficients.py
     friction_slope: float = 0.0
+    address: int = 0  # of a custom law's machine code, for the compiled kernel
 
 
 @dataclass(slots=True, eq=False)
