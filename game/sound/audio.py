@@ -114,7 +114,7 @@ class Audio:
 def bank() -> Iterator[tuple[tuple[str, int], synth.Wave]]:
     """Work out every sound: (kind, level) and its wave, peak 1."""
     for number, speed in enumerate(synth.SPEEDS):
-        for kind in synth.BODIES:
+        for kind in (*synth.BODIES, "chain"):
             yield (kind, number), synth.sound(kind, speed)
     yield ("rumble", 0), synth.rumble()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from math import hypot
+from math import hypot, sqrt
 from typing import NamedTuple
 
 from physics import Ball, Event, World
@@ -16,8 +16,13 @@ LOOKED_AT = 8
 """Events of one frame that are looked at, at some 15 µs each."""
 JUMP = 1.0
 """Seconds of a shot in one frame that are a leap over it, which is silent."""
-FULL = {"click": 1.2, "thud": 1.6, "stroke": 1.6}
-"""Impulses that are as loud as it gets, N s: a full hit, a cushion and a stroke at 6 to 8 m/s."""
+FULL = {"click": 1.2, "thud": 1.6, "stroke": 1.6, "jaw": 1.6, "drop": 6.0, "chain": 1.2}
+"""Impulses that are as loud as it gets, N s: a full hit, a cushion and a stroke at 6 to 8 m/s. Of
+a ball that drops, its speed, m/s."""
+FALLS = 1.2
+"""Speed with which a ball that hardly moves arrives in a pocket, m/s."""
+JAWS = ("facing", "nose")
+"""How the names of walls end that are the ends of cushions, at pockets."""
 LOUDNESS = 0.6
 """Power of the impulse that the gain follows, so that a touch is heard beside a break."""
 FAINTEST = 0.03
@@ -27,7 +32,7 @@ ROLLS_FULL = 8.0
 
 
 class Sound(NamedTuple):
-    """A sound to begin: "click" "thud" or "stroke", level in the bank, gain 0..1, pan -1..1."""
+    """A sound to begin: a kind of `synth`, level in the bank, gain 0..1, pan -1..1."""
 
     kind: str
     loudness: int
@@ -79,7 +84,25 @@ class Ear:
         if struck is not None:
             found.append(_stroke(*struck, self.half))
         heard = sorted((s for s in found if s and s.gain >= FAINTEST), key=lambda s: -s.gain)
-        return Heard(tuple(heard[:LOUDEST]), _rolling(world, now))
+        missed = max(0, count - first - LOOKED_AT)
+        return Heard(tuple(_few(heard, missed)), _rolling(world, now))
+
+
+def _few(heard: list[Sound], missed: int) -> list[Sound]:
+    """The loudest of a frame's sounds, loudest first; hits of balls beyond these become a chain.
+
+    missed: how many more events there were; they count as the softest of those that were heard.
+    """
+    if len(heard) <= LOUDEST:
+        return heard
+    few, rest = heard[: LOUDEST - 1], [s for s in heard[LOUDEST - 1 :] if s.kind == "click"]
+    if len(rest) < 2:
+        return heard[:LOUDEST]
+    soft = rest[-1].gain
+    together = sqrt(sum(s.gain**2 for s in rest) + missed * soft * soft)
+    pan = sum(s.pan for s in rest) / len(rest)
+    chain = Sound("chain", max(s.loudness for s in rest), min(1.0, together), pan)
+    return sorted([*few, chain], key=lambda s: -s.gain)
 
 
 def _stroke(ball: Ball, speed: float, half: float) -> Sound:
@@ -90,7 +113,11 @@ def _of_event(event: Event, half: float) -> Sound | None:
     if event.kind == "ball":
         return _sound("click", event.closing, event.impulse, event.point[0], half)
     if event.kind == "cushion":
-        return _sound("thud", event.closing, event.impulse, event.point[0], half)
+        kind = "jaw" if (event.wall or "").endswith(JAWS) else "thud"
+        return _sound(kind, event.closing, event.impulse, event.point[0], half)
+    if event.kind == "pocket":
+        speed = hypot(FALLS, *event.before[0].velocity)
+        return _sound("drop", speed, speed, event.point[0], half)
     return None
 
 

@@ -74,7 +74,29 @@ STROKE = Timbre(
     room=(0.05, 2_500),
     length=0.12,
 )
-BODIES = {"click": CLICK, "thud": THUD, "stroke": STROKE}
+JAW = Timbre(
+    # the end of a cushion: thinner rubber, and wood right behind it
+    contact=8e-4,
+    shape=2.0,
+    modes=((184, 0.3, 0.024), (317, 0.6, 0.014), (640, 1.0, 0.008), (1_150, 0.5, 0.004)),
+    air=0.9,
+    room=(0.10, 2_000),
+    length=0.16,
+)
+DROP = Timbre(
+    # leather gives way slowly, and the cabinet below answers
+    contact=3.0e-3,
+    shape=2.0,
+    modes=((74, 0.9, 0.045), (118, 1.0, 0.034), (196, 0.7, 0.020), (342, 0.4, 0.010)),
+    air=0.3,
+    room=(0.14, 800),
+    length=0.26,
+)
+BODIES = {"click": CLICK, "thud": THUD, "stroke": STROKE, "jaw": JAW, "drop": DROP}
+CHAIN = 12
+"""Clicks of a "chain": what a pack of balls sounds like that a ball runs into."""
+RATTLE = 0.030
+"""Seconds over which they are spread, the first ones louder and closer together."""
 
 
 def push(seconds: float, shape: float) -> Wave:
@@ -125,7 +147,9 @@ def _hiss(n: int, cut: float) -> Wave:
 
 
 def sound(kind: str, speed: float) -> Wave:
-    """Return a "click", "thud" or "stroke" at a closing speed, m/s: peak 1, from and to silence."""
+    """Return one of BODIES or a "chain" at a closing speed, m/s: peak 1, from and to silence."""
+    if kind == "chain":
+        return _chain(speed)
     body = BODIES[kind]
     # a Hertzian push is shorter by the fifth root of the speed
     wave = np.convolve(push(body.contact * speed**-0.2, body.shape), response(body))
@@ -133,6 +157,17 @@ def sound(kind: str, speed: float) -> Wave:
     wave -= wave.mean()
     n = round(FADE * RATE)
     wave[-n:] *= np.linspace(1.0, 0.0, n)
+    return np.asarray(wave / np.abs(wave).max())
+
+
+def _chain(speed: float) -> Wave:
+    """Many clicks in a row, each softer than the one before and at a place of its own."""
+    click = sound("click", speed)
+    wave = np.zeros(click.size + round(RATTLE * RATE) + 1)
+    for k in range(CHAIN):
+        late = np.modf(np.sin(12.9898 * (k + 1)) * 43758.5453)[0]
+        start = round(RATTLE * RATE * ((k + 0.4 * late) / CHAIN) ** 1.5) if k else 0
+        wave[start : start + click.size] += click * (1.0 - 0.8 * k / CHAIN)
     return np.asarray(wave / np.abs(wave).max())
 
 

@@ -16,7 +16,7 @@ from game.sound.audio import Audio, sides
 from game.sound.hearing import SILENCE, Ear, Heard, Sound
 from game.table.presets import scene_world, table_world
 from game.ui.view import View
-from physics import Shot
+from physics import Ball, Shot, tables
 from tests.support.players import FRAME, press, run_to_rest
 
 LOUD = Sound("click", 7, 1.0, 0.0)
@@ -93,6 +93,16 @@ def test_pan_keeps_the_power_and_the_left_end_is_louder_on_the_left():
     assert left > 2 * right > 0
 
 
+def test_a_jaw_is_brighter_than_a_cushion_and_a_ball_that_drops_is_the_deepest_of_all(bank):
+    deep, cushion, jaw, click = (centroid(bank[k, 5]) for k in ("drop", "thud", "jaw", "click"))
+    assert deep < cushion < jaw < click
+
+
+def test_a_hard_chain_of_balls_is_heard_longer_than_a_click(bank):
+    for level in range(4, 8):
+        assert gone(bank["chain", level]) > 2 * gone(bank["click", level])
+
+
 # -- which ones are heard ------------------------------------------------------------------------
 
 
@@ -139,6 +149,59 @@ def test_gain_follows_the_impulse_and_pan_the_place():
     soft, hard = (Ear(1.27).listen(world, 1, (white, v)).sounds[0] for v in (1.0, 2.0))
     assert hard.gain / soft.gain == pytest.approx(2**hearing.LOUDNESS)
     assert soft.pan == pytest.approx(white.position[0] / 1.27)
+
+
+def listened(world, seconds, shot=1):
+    """All sounds of so many seconds, sixty times a second."""
+    ear, found = Ear(1.27), []
+    for _ in range(round(60 * seconds)):
+        found += ear.listen(world, shot).sounds
+        world.step(1 / 60)
+    return found
+
+
+def potted(speed):
+    world = tables.pool_9ft()
+    world.add(Ball("cue", at=(0.9, 0.3)))
+    world.strike("cue", Shot(speed, 42.5))
+    return world
+
+
+def test_a_ball_is_heard_to_drop_on_the_side_of_its_pocket_and_louder_the_faster_it_is():
+    slow, fast = (listened(potted(v), 3.0) for v in (0.9, 5.0))
+    (soft,), (loud,) = ([s for s in heard if s.kind == "drop"] for heard in (slow, fast))
+    assert soft.gain < loud.gain <= 1.0
+    assert soft.loudness < loud.loudness
+    assert soft.pan == pytest.approx(1.0, abs=0.05)
+
+
+def test_a_rail_and_the_jaws_of_a_pocket_sound_different():
+    world = tables.pool_9ft()
+    world.add(Ball("cue", at=(0.9, 0.3)))
+    world.strike("cue", Shot(2.0, 60.0))
+    heard = listened(world, 6.0)
+    walls = [e.wall.rsplit(" ", 1)[-1] for e in world.log if e.kind == "cushion"]
+    kinds = ["jaw" if wall in hearing.JAWS else "thud" for wall in walls]
+    assert [s.kind for s in heard if s.kind in ("jaw", "thud")] == kinds
+    assert "thud" in kinds
+    world = tables.pool_9ft()
+    world.add(Ball("cue", at=(0.9, 0.3)))
+    world.strike("cue", Shot(2.0, 46.4))
+    assert "jaw" in [s.kind for s in listened(world, 4.0)]
+
+
+def test_the_hits_of_a_pack_that_are_too_many_to_hear_become_a_chain():
+    world, ear = a_break(0.9)
+    sounds = ear.listen(world, 0).sounds
+    (chain,) = (s for s in sounds if s.kind == "chain")
+    assert len(sounds) == hearing.LOUDEST
+    quiet = [s for s in sounds if s.kind == "click"]
+    assert chain.gain > min(s.gain for s in quiet) * 0.5
+
+
+def test_two_balls_and_a_cushion_at_once_are_three_sounds():
+    sounds = [Sound("click", 3, 0.5, 0.0), Sound("thud", 3, 0.4, 0.0), Sound("click", 2, 0.1, 0.0)]
+    assert hearing._few(sounds, 0) == sounds
 
 
 def test_a_leap_to_the_end_and_a_way_back_in_time_are_silent():

@@ -30,6 +30,7 @@ class Lane:
     cushions  times at which it meets one
     joins     (time, other lane) of each collision; one of the two lanes is enough
     rests     times at which it comes to rest
+    drops     times at which it falls into a pocket
     """
 
     colour: Colour
@@ -37,6 +38,7 @@ class Lane:
     cushions: tuple[float, ...] = ()
     joins: tuple[tuple[float, int], ...] = ()
     rests: tuple[float, ...] = field(default=())
+    drops: tuple[float, ...] = field(default=())
 
 
 class Buttons(NamedTuple):
@@ -141,6 +143,8 @@ def _lanes(
         for time in lane.rests:
             half = max(1, round(2 * s))
             surface.fill(bright, (x(time) - half, y - half, 2 * half + 1, 2 * half + 1))
+        for time in lane.drops:
+            shapes.disc(surface, (x(time), y), 3 * s, theme.PANEL, bright, max(1.0, 1.5 * s))
     _joins(surface, s, lanes, rows, x, strength)
 
 

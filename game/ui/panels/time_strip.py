@@ -109,9 +109,11 @@ def _lanes(sight: Sight, found: Story) -> list[lanes.Lane]:
             for other in e.balls
             if other != name and other in names
         )
-        marks = {k: tuple(e.time for e in own if e.kind == k) for k in ("cushion", "rest")}
+        kinds = "cushion", "rest", "pocket"
+        marks = {k: tuple(e.time for e in own if e.kind == k) for k in kinds}
+        rests = tuple(time for time in marks["rest"] if time not in marks["pocket"])
         ink = look(name, place, colours, kind_of(session.world)).ui
-        lane = lanes.Lane(ink, legs, marks["cushion"], tuple(joins), marks["rest"])
+        lane = lanes.Lane(ink, legs, marks["cushion"], tuple(joins), rests, marks["pocket"])
         result.append(lane)
     return result
 

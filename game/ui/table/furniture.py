@@ -41,13 +41,21 @@ def beside(layout: Layout, world: World) -> list[Thing]:
     return [thing for wall in others if (thing := _thing(wall, half)) is not None]
 
 
-def holes(world: World) -> dict[str, Hole]:
-    """Where balls fall, by the names of the pockets."""
+def holes(world: World) -> dict[str, plan.Hole]:
+    """The pockets of a world by name, also those that belong to no table."""
     table = table_of(world)
-    found = {w.name: Hole(complex(*w.at), w.radius) for w in _pockets(world)}
+    found = {}
+    for wall in _pockets(world):
+        at = complex(*wall.at)
+        found[wall.name] = plan.Hole(wall.name, at, wall.radius, at, wall.radius, False)
     if table is not None and table.pockets is not None:
-        found |= {hole.name: Hole(hole.rim, hole.width) for hole in plan.holes(table)}
+        found |= {hole.name: hole for hole in plan.holes(table)}
     return found
+
+
+def falls_into(world: World) -> dict[str, Hole]:
+    """Where balls fall, by the names of the pockets."""
+    return {name: Hole(hole.rim, hole.width) for name, hole in holes(world).items()}
 
 
 def _pockets(world: World) -> list[Any]:

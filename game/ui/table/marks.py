@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import rect
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from math import copysign, radians
 
@@ -14,6 +14,7 @@ from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts import cards
 from game.render.table import lines
+from game.render.table.plan import Hole
 from game.render.theme import ACCENT, LILAC, WHITE, BallLook
 from game.session.session import Session
 
@@ -50,9 +51,17 @@ def key(session: Session, aids: str) -> object:
 
 
 def draw(
-    surface: pygame.Surface, layout: Layout, session: Session, looks: Sequence[BallLook], aids: str
+    surface: pygame.Surface,
+    layout: Layout,
+    session: Session,
+    looks: Sequence[BallLook],
+    aids: str,
+    holes: Mapping[str, Hole] | None = None,
 ) -> list[pygame.Rect]:
-    """Draw the marks, with `aids` "off" "short" or "full"; returns the rectangles around them."""
+    """Draw the marks, with `aids` "off" "short" or "full"; returns the rectangles around them.
+
+    `holes` are the table's pockets by name.
+    """
     if aiming(session):
         if session.arranging:
             return [_taken(surface, layout, session)]
@@ -63,7 +72,7 @@ def draw(
         if preview is None or (aids == "short" and preview.contact is None):
             return _direction(surface, layout, session)
         seen = preview_lines.Seen(
-            surface, layout, session, looks, LILAC if computer(session) else WHITE
+            surface, layout, session, looks, LILAC if computer(session) else WHITE, holes or {}
         )
         return seen.first(preview) if aids == "short" else seen.whole(preview)
     return _traces(surface, layout, session, looks) if session.shown_shot else []

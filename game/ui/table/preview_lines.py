@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import atan2, hypot
 from typing import NamedTuple
 
@@ -10,7 +10,8 @@ import pygame
 
 from game.aim.preview import FirstContact, Meeting, Place, Preview
 from game.render.layout import Layout
-from game.render.table import lines
+from game.render.table import lines, pocket_marks
+from game.render.table.plan import Hole
 from game.render.theme import ERROR, WHITE, BallLook, Colour
 from game.session.session import Session
 
@@ -22,18 +23,27 @@ FAINT = 0.4
 """Alpha of the paths of the other balls: less than the least of the cue ball's."""
 FEW = 16
 """Points of a path that are drawn sooner than it takes to find out which of them matter."""
+POTTED = (9, 6)
+"""Dashes of the way into a pocket, px at s = 1."""
+ROUNDING = 1e-4
+"""Metres by which the end of a path may miss the edge of a hole."""
 BOUNCES = 6
 """Cushions whose marks fade one after the other."""
 
 
 class Seen(NamedTuple):
-    """Where and how a preview is drawn; `ink` is the colour of the cue ball's path."""
+    """Where and how a preview is drawn.
+
+    ink: the colour of the cue ball's path.
+    holes: pockets by name.
+    """
 
     surface: pygame.Surface
     layout: Layout
     session: Session
     looks: Sequence[BallLook]
     ink: Colour
+    holes: Mapping[str, Hole]
 
     @property
     def radius(self) -> float:
@@ -50,7 +60,9 @@ class Seen(NamedTuple):
     def whole(self, seen: Preview) -> Rects:
         """Draw the stroke as far as it counts: every ball's path, and what meets what."""
         s, surface = self.layout.s, self.surface
-        rects = self._others(seen)
+        drops = dropped(seen, self.session.cue, self.holes)
+        rects = [self._lit(name, hole) for name, hole in drops.items()]
+        rects += self._others(seen, drops)
         way = on_screen(self.layout, seen.way)
         if seen.contact is None:
             rects.append(lines.polyline(surface, way, self.ink, 1.7 * s, 0.92, fade=(1.0, 0.33)))
@@ -61,7 +73,7 @@ class Seen(NamedTuple):
             rects.append(lines.polyline(surface, beyond, self.ink, 1.7 * s, 0.85, fade=(1.0, 0.42)))
         rects += self._bounces(seen)
         last = (seen.beyond or seen.way)[-1:]
-        if last:
+        if last and self.session.cue not in drops:
             end = self.layout.to_screen(*last[0])
             rects.append(lines.ring(surface, end, self.radius, self.ink, 1.4 * s, 0.55))
         for k, meeting in enumerate(seen.meetings):
@@ -79,13 +91,28 @@ class Seen(NamedTuple):
             rects.append(lines.bounce(self.surface, *args))
         return rects
 
-    def _others(self, seen: Preview) -> Rects:
-        """Draw the other balls' paths: the beginning of the first ball's dashed, the rest thin."""
+    def _lit(self, name: str, hole: Hole) -> pygame.Rect:
+        """Light the pocket that a ball falls into, red for the cue ball."""
+        ink = ERROR if name == self.session.cue else self._ink(name)
+        return pocket_marks.lit(self.surface, self.layout, hole, ink)
+
+    def _potted(self, name: str, way: Sequence[Place]) -> pygame.Rect:
+        """Draw the whole way of a ball into its pocket."""
+        points = on_screen(self.layout, way)
+        s = self.layout.s
+        return lines.trace(self.surface, points, self._ink(name), s, 0.9, dashes=POTTED)
+
+    def _others(self, seen: Preview, drops: Mapping[str, Hole]) -> Rects:
+        """Draw the other balls' paths: the beginning of the first ball's dashed, the rest thin;
+        into a pocket dashed to the end."""
         s, rects, first = self.layout.s, [], seen.contact.ball if seen.contact else ""
         touched = (m.balls for m in seen.meetings if self.session.cue in m.balls)
-        shown = {*self.session.traced, first}.union(*touched)
+        shown = {*self.session.traced, first}.union(drops, *touched)
         for name, way in seen.others.items():
             if name not in shown:
+                continue
+            if name in drops:
+                rects.append(self._potted(name, way))
                 continue
             ink, rest = self._ink(name), list(way)
             if name == first:
@@ -97,7 +124,8 @@ class Seen(NamedTuple):
             rects.append(lines.polyline(self.surface, thin, ink, max(1.2 * s, 1.0), FAINT))
             if seen.whole:
                 end = self.layout.to_screen(*way[-1])
-                rects.append(lines.ring(self.surface, end, self.radius, ink, 1.2 * s, FAINT))
+                radius = self.session.world.ball(name).radius * self.layout.scale
+                rects.append(lines.ring(self.surface, end, radius, ink, 1.2 * s, FAINT))
         return rects
 
     def _meeting(self, meeting: Meeting, *, foul: bool) -> Rects:
@@ -132,6 +160,25 @@ class Seen(NamedTuple):
 
     def _ink(self, name: str) -> Colour:
         return self.looks[index(self.session, name)].ui
+
+
+def dropped(seen: Preview, cue: str, holes: Mapping[str, Hole]) -> dict[str, Hole]:
+    """The balls that a preview sees fall, and where: not those that fall when all is settled."""
+    ways = {cue: seen.beyond or seen.way, **seen.others}
+    found = {}
+    for mark in seen.story.events:
+        name, hole = mark.balls[0], holes.get(mark.wall or "")
+        if mark.kind == "pocket" and hole is not None and ways.get(name):
+            end = complex(*ways[name][-1])
+            if abs(end - hole.at) < hole.radius + ROUNDING:
+                found[name] = hole
+    return found
+
+
+def paths(layout: Layout, seen: Preview) -> list[Points]:
+    """The paths of a preview that must stay free of anything written, px."""
+    first = seen.others.get(seen.contact.ball, ()) if seen.contact else ()
+    return [on_screen(layout, way) for way in (seen.way, seen.beyond, first)]
 
 
 def on_screen(layout: Layout, points: Sequence[Place]) -> Points:

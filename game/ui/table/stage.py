@@ -16,10 +16,10 @@ from game.render.table.finish import FINISHES
 from game.session.session import Session
 from game.settings.settings import Settings
 
-from . import marks
+from . import labels, marks, preview_lines
 from .cue_pose import Pose, pose
 from .dropped import AWAY, Dropped
-from .furniture import furnished, holes
+from .furniture import falls_into, furnished, holes
 from .looks import kind_of, looks_of
 from .orientations import Orientations
 from .trail import Trail
@@ -52,7 +52,8 @@ class Stage:
         cloth, many = FINISHES[kind].cloth, kind != "carom"
         self.sprites = BallSprites(layout, self.looks, radii, cloth, many=many)
         self.sprites.wells = wells
-        self.dropped = Dropped(holes(session.world))
+        self.holes = holes(session.world)
+        self.dropped = Dropped(falls_into(session.world))
         self.trail, self.orientations = Trail(), Orientations(self.sprites)
         self.spread, self.fan = spread or Spread(), Fan(layout)
         self._time, self._shown = session.world.time, (session.began, session.timeline.at)
@@ -132,11 +133,27 @@ class Stage:
             self.lines.blit(self.base, rect, rect)
         self.lines.set_clip(self.layout.table)
         fan = self._draw_fan(session)
-        self._marked = fan + marks.draw(self.lines, self.layout, session, self.looks, aids)
+        given = self.lines, self.layout, session, self.looks
+        self._marked = fan + marks.draw(*given, aids, self.holes)
+        self._marked += self._labels(session)
         self.lines.set_clip(None)
         self.trail.undrawn()
         self._marked += self.trail.draw(self.lines, self.layout, session, self.looks)
         return old + self._marked
+
+    def _labels(self, session: Session) -> list[pygame.Rect]:
+        """Write what stands beside balls and pockets while nothing moves."""
+        if session.moving or session.timeline.at is not None:
+            return []
+        args = self.lines, self.layout, session, self.looks
+        aims = marks.aiming(session) and not session.arranging and self.settings.aids == "full"
+        preview = session.preview if aims else None
+        rects = []
+        if preview is not None and self._fanned(session) == SAMPLES:
+            rects += labels.share(*args, preview, self.holes, self.spread.share)
+        paths = preview_lines.paths(self.layout, preview) if preview is not None else []
+        spots = [spot for spot in self.dropped.spots(session) if spot.height >= 0.0]
+        return rects + labels.tags_of(*args, self.settings.colours, spots, paths)
 
     def _moved(self, places: list[Spot]) -> list[pygame.Rect]:
         dirty = []
