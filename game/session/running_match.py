@@ -67,6 +67,7 @@ class Contest:
     card: Card = ()
     _before: Standing | None = None
     _entries: dict[int, list[str]] = field(default_factory=dict)
+    _broke: set[int] = field(default_factory=set)
 
     @classmethod
     def of(cls, terms: Terms) -> Contest | None:
@@ -179,6 +180,8 @@ class Contest:
         self.shooter, self.verdict = self.match.at, None
         self.pending = self.given = True
         self._entries[self.shooter] = list(texts)
+        breaks = self.match.state.phase == BREAK
+        (self._broke.add if breaks else self._broke.discard)(self.shooter)
 
     def judge(self, world: World) -> bool:
         """All balls lie still: judge the stroke in the world's log, after which it is the next
@@ -239,7 +242,8 @@ class Contest:
         self.given = True
         breaks = self.match.state.phase == BREAK and not self.terms.discipline.points
         start = [HARD, *START[1:]] if breaks else [*START]
-        own = start if breaks else self._entries.get(self.match.at, start)
+        broke = self.match.at in self._broke  # nobody goes on as hard
+        own = start if breaks or broke else self._entries.get(self.match.at, start)
         return [*own[: len(START)], self.angle(world)]
 
     def angle(self, world: World) -> str:

@@ -238,4 +238,5 @@ WORDS = {
     "key.sheet score": "sheet of the match",
     "notice.match.unsaved": "The match cannot be saved",
     "notice.match.broken": "Saved matches broken · kept as .broken",
+    "menu.again": "Rematch",
 }

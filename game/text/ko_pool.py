@@ -238,4 +238,5 @@ WORDS = {
     "key.sheet score": "경기 기록지",
     "notice.match.unsaved": "경기를 저장할 수 없습니다",
     "notice.match.broken": "저장된 경기 손상 · .broken으로 남김",
+    "menu.again": "다시 한 판",
 }

@@ -150,8 +150,14 @@ def draw(surface: pygame.Surface, sight: Sight, menu: MenuLook) -> pygame.Rect:
         _row(surface, sight, row_rect(rows, place, layout), menu, place, row)
     for k, (name, spot) in enumerate(zip(BUTTONS, button_rects(layout), strict=True)):
         focused, hot = menu.focus == len(rows) + k, over.place == len(rows) + k
-        page_parts.button(surface, spot, sight.type, w[f"menu.{name}"], focused, hot, k == 0)
+        label = w["menu.again" if name == "start" and _over(sight) else f"menu.{name}"]
+        page_parts.button(surface, spot, sight.type, label, focused, hot, k == 0)
     return rect
+
+
+def _over(sight: Sight) -> bool:
+    """Is there a match that is over, so that the same again is a rematch?"""
+    return sight.session.contest is not None and sight.session.contest.over
 
 
 def _heads(surface: pygame.Surface, sight: Sight, terms: Terms) -> None:

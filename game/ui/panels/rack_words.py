@@ -43,12 +43,13 @@ def won(contest: Contest, w: dict[str, str]) -> str:
     return w["score.frame.won" if contest.match.rules.key == FRAMES else "score.rack.won"]
 
 
-def line(contest: Contest, index: int, w: dict[str, str]) -> list[str]:
-    """What the plate says under a player's name; nothing for games that have no racks."""
+def line(contest: Contest, index: int, w: dict[str, str]) -> list[str] | None:
+    """What the plate says under a player's name; None for games that have no racks."""
     match = contest.match
     if contest.terms.discipline.position:
-        return []
-    sheet, found = match.sheets[index], []
+        return None
+    sheet = match.sheets[index]
+    found: list[str] = []
     if match.rules.key == "eight_ball":
         group = match.state.group(index)
         found.append(w[f"score.{group}" if group else "score.open.table"])

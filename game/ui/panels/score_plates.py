@@ -76,9 +76,9 @@ def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | Non
         w["score.average"].format(n=number(sheet.average)),
         w["score.high"].format(n=sheet.best),
     ]
-    if racked := rack_words.line(contest, index, w):
-        parts = racked
-    if sheet.fouls and not racked:
+    racked = rack_words.line(contest, index, w)
+    parts = parts if racked is None else racked
+    if sheet.fouls and racked is None:
         parts.append(w["score.fouls"].format(n=sheet.fouls))
     if match.at != index or match.finished:
         return " · ".join(parts), None
@@ -87,7 +87,7 @@ def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | Non
     if contest.closing:
         last = contest.terms.finish == LAST_POINT_3C
         return w["score.last" if last else "score.extra"], ACCENT
-    if match.run and not racked:
+    if match.run and racked is None:
         parts.insert(0, w["score.run"].format(n=match.run))
     return " · ".join(parts), None
 
