@@ -1,6 +1,6 @@
 """The cue: where and how fast the tip meets the ball, and the shot that results."""
 
-from dataclasses import astuple, dataclass, replace
+from dataclasses import astuple, dataclass, fields, replace
 from math import fsum, sqrt
 from typing import Protocol
 
@@ -52,6 +52,11 @@ class CueStroke:
     restitution: float = 0.73
     end_ratio: float = 25.0
     friction: float = 0.6
+
+    def __repr__(self) -> str:
+        values = [(field, getattr(self, field.name)) for field in fields(self)]
+        given = [f"{field.name}={x!r}" for field, x in values if x != field.default]
+        return f"CueStroke({', '.join(given)})"
 
     def __post_init__(self) -> None:
         keep(self, positive, "speed", "cue_mass", "end_ratio")

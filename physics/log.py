@@ -56,6 +56,11 @@ class Leg(NamedTuple):
     fall: float = 0.0
     lift: float = 0.0
 
+    def __repr__(self) -> str:
+        p, v = self.position, self.velocity
+        place, way = f"({p.real:.6g}, {p.imag:.6g}) m", f"({v.real:.4g}, {v.imag:.4g}) m/s"
+        return f"<Leg from {self.time:.6g} s: {PHASE_NAMES[self.phase]}, {place}, {way}>"
+
     @property
     def time(self) -> float:
         """When it begins, seconds."""

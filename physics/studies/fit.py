@@ -59,6 +59,9 @@ class StrokeFound(NamedTuple):
     misfit: float
     share: float
 
+    def __repr__(self) -> str:
+        return f"<StrokeFound: {self.shot!r} at {self.ball}, {1e3 * self.misfit:.3g} mm>"
+
 
 class Fit(NamedTuple):
     """What `fit` returns.
@@ -87,6 +90,11 @@ class Fit(NamedTuple):
 
         deviations: Array = np.sqrt(np.diag(self.covariance))
         return deviations
+
+    def __repr__(self) -> str:
+        found = zip(self.names, self.values, self.errors, strict=True)
+        values = ", ".join(f"{name} {value:.4g} ± {error:.2g}" for name, value, error in found)
+        return f"<Fit of {len(self.strokes)} strokes, {1e3 * self.misfit:.3g} mm: {values}>"
 
 
 def fit(

@@ -57,6 +57,11 @@ class Entry(NamedTuple):
     energy: float
     height: float
 
+    def __repr__(self) -> str:
+        what = " ".join(filter(None, (self.ball, self.other, self.wall)))
+        lost = f"{self.energy_lost:.4g} J and {self.cloth_lost:.4g} J to the cloth"
+        return f"<{self.kind} at {self.time:.6g} s: {what}, lost {lost}>"
+
 
 class Ledger(tuple[Entry, ...]):
     """The entries of a log, in their order; their losses and what is left add up to its start."""

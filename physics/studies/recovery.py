@@ -53,6 +53,10 @@ class Recovered(NamedTuple):
     covariance: Array
     misfit: float
 
+    def __repr__(self) -> str:
+        speed = length(complex(*self.velocity))
+        return f"<Recovered: {self.phase}, {speed:.4g} m/s, {1e3 * self.misfit:.3g} mm>"
+
     def shot(self, side: float = 0.0) -> Shot:
         """The shot that sets a ball off like that.
 

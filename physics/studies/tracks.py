@@ -49,6 +49,10 @@ class Track:
     ball: str | None = None
     name: str = ""
 
+    def __repr__(self) -> str:
+        times, balls, _ = self.positions.shape
+        return f"<Track {self.name!r} of {balls} balls at {times} moments>"
+
     def __post_init__(self) -> None:
         import numpy as np
 

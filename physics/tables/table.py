@@ -49,6 +49,9 @@ class Table:
     kind: str = "carom"
     pockets: "Pockets | None" = None
 
+    def __repr__(self) -> str:
+        return f"<Table {self.name!r}, {self.length:g} x {self.width:g} m>"
+
     def __post_init__(self) -> None:
         keep(self, positive, "length", "width", "radius")
         keep(self, sizable, "mass")

@@ -11,14 +11,18 @@ import pytest
 
 from physics import (
     Ball,
+    CueStroke,
     Shot,
+    Track,
     Wall,
     World,
     animate,
     ledger,
+    recover,
     scenes,
     sensitivity,
     simulate,
+    store,
     tables,
     trace,
 )
@@ -173,8 +177,13 @@ def test_a_long_log_is_cut_and_says_how_long_it_is():
 def test_whatever_a_session_shows_is_short(after):
     seen = sensitivity(scenes.carom(), "white", Shot(2.0, 10.0))
     things = [after, after.log, Shot(2.0), seen, seen.events[0], ledger(after.log), animate(after)]
+    things += [tables.pool_9ft().table, CueStroke(3.0, side=0.1), after.log.legs("white")[0]]
+    times, paths = trace(after, times=np.arange(0.0, 0.2, 0.02))
+    things += [recover(times, paths[:, 0], after.cloth), Track(times, paths, name="one")]
+    things += [ledger(after.log)[0], store.Scene.played(scenes.carom(), "white", Shot(2.0))]
     things += [after.balls[0], after.log[0], after.log.at([0.0, 1.0])["red"]]
     assert [repr(thing) for thing in things if len(repr(thing)) > 120] == []
+    assert repr(CueStroke(3.0, side=0.1)) == "CueStroke(speed=3.0, side=0.1)"
     assert repr(Shot(2.0, 10.0, side=-1.5)) == "Shot(speed=2.0, angle=10.0, side=-1.5)"
     assert eval(repr(Shot(2.0, follow=0.1))) == Shot(2.0, follow=0.1)
 
