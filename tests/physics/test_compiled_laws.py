@@ -75,7 +75,9 @@ def test_a_custom_law_that_is_a_named_one_does_the_same():
 
 def test_threads_share_a_batch_with_a_custom_law():
     with ThreadPoolExecutor(2) as threads:
-        shared = simulate_many(world(cushion_law=felt), "white", SHOTS, threads, compiled=True)
+        shared = simulate_many(
+            world(cushion_law=felt), "white", SHOTS, executor=threads, compiled=True
+        )
     alone = simulate_many(world(cushion_law=felt), "white", SHOTS, compiled=True)
     assert (shared.positions == alone.positions).all()
 

@@ -65,7 +65,8 @@ def _pockets(world: World) -> list[Any]:
 def _thing(wall: Any, half: tuple[float, float]) -> Thing | None:
     """What of an obstacle is to be drawn; None if nothing is."""
     if wall.kind == "line":
-        ends = across(*wall.lines(0.0, 0.0)[0], half)
+        normal, offset = wall.lines(0.0, 0.0)[0]
+        ends = across(normal, offset, half)
         return Thing("wall", ends) if len(ends) == 2 else None
     if wall.kind in ("post", "pocket"):
         return Thing(wall.kind, [wall.at], wall.radius)
