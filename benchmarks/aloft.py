@@ -7,7 +7,7 @@ from random import Random
 from physics import World
 from physics.kernel.kinds import AIRBORNE, OFF
 from physics.kernel.laws import law_at
-from physics.kernel.obstacle import SEGMENT, beside, nose
+from physics.kernel.obstacle import LINE, nose
 from physics.log import State
 from physics.studies.ledger import ledger
 
@@ -56,17 +56,15 @@ def gaps(world: World, time: float, lost_at: dict[str, float]) -> Iterator[tuple
 def clear(world: World, n: int, state: State, radius: float) -> float:
     """How far a ball is from a wall's cushion, m.
 
-    What stands upright may be under a ball that flies, and in one that has come down on it; and the
-    nose of a segment, which is before it by that much, begins where the segment does.
+    Where a segment ends, or stands upright what is round, a ball that flies may come down in it.
     """
     shape, p = world.scene.walls[n], complex(*state.position)
-    if shape.kind > SEGMENT or not beside(shape, p):
+    if shape.kind != LINE:
         return 0.0
     if state.height == 0.0:
         return world.walls[n].distance(state.position) - radius
     rule = law_at(n, world.scene.rules, world.scene.cushion_rule)
-    bend = radius * (1.0 - rule.level) if shape.kind == SEGMENT else 0.0
-    return hypot(*nose(shape, p, radius, state.height, rule)) - radius + bend
+    return hypot(*nose(shape, p, radius, state.height, rule)) - radius
 
 
 def unbalanced(world: World) -> list[str]:

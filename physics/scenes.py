@@ -8,6 +8,7 @@ from .ball import Ball
 from .checks import whole
 from .cloth import Cloth
 from .engines.exact import EventDriven
+from .post import Post
 from .shot import Shot, direction
 from .wall import Wall
 from .world import World
@@ -118,10 +119,38 @@ def pi_collisions(digits: int = 3) -> World:
     return world
 
 
+def sinai() -> World:
+    """Sinai's billiard: on ice, a ball among mirrors around a post, which spreads paths apart."""
+    world = World(Cloth(0.0, 0.0, 0.0), laws.SmoothBall(1.0), laws.RigidCushion(1.0, 0.0, 1.0))
+    for p, q, name in (
+        ((-0.5, -0.5), (0.5, -0.5), "south"), ((0.5, -0.5), (0.5, 0.5), "east"),
+        ((0.5, 0.5), (-0.5, 0.5), "north"), ((-0.5, 0.5), (-0.5, -0.5), "west"),
+    ):  # fmt: skip
+        world.add(Wall.segment(p, q, name))
+    world.add(Post((0.0, 0.0), 0.2, "post"))
+    world.add(Ball("white", at=(-0.4, 0.1)))
+    world.strike("white", Shot(1.0, 20.0))
+    return world
+
+
+def stadium() -> World:
+    """Bunimovich's stadium: on ice, a ball among mirrors, two straight and two round, which make
+    paths meet and then part."""
+    world = World(Cloth(0.0, 0.0, 0.0), laws.SmoothBall(1.0), laws.RigidCushion(1.0, 0.0, 1.0))
+    world.add(Wall.segment((-0.5, -0.5), (0.5, -0.5), "south"))
+    world.add(Wall.arc((0.5, 0.0), 0.5, -90.0, 90.0, "east"))
+    world.add(Wall.segment((0.5, 0.5), (-0.5, 0.5), "north"))
+    world.add(Wall.arc((-0.5, 0.0), 0.5, 90.0, 270.0, "west"))
+    world.add(Ball("white", at=(-0.4, 0.1)))
+    world.strike("white", Shot(1.0, 35.0))
+    return world
+
+
 SCENES: dict[str, Callable[[], World]] = {
     scene.__name__: scene
     for scene in (
         thesis_1, thesis_2, thesis_3a, thesis_3b, single, carom, rack15, cradle, pi_collisions,
+        sinai, stadium,
     )
 }
 

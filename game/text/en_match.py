@@ -174,6 +174,8 @@ WORDS = {
     "position.rack15": "Fifteen balls",
     "position.cradle": "Newton's cradle",
     "position.pi_collisions": "Digits of π",
+    "position.sinai": "Sinai's billiard",
+    "position.stadium": "Stadium",
     "rules.title": "Rules",
     "rules.hint": "← → game · Esc closes",
     "rule.free.1": "No points, no turns: every stroke is described, none is judged.",

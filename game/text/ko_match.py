@@ -172,6 +172,8 @@ WORDS = {
     "position.rack15": "공 열다섯",
     "position.cradle": "뉴턴의 요람",
     "position.pi_collisions": "π의 자릿수",
+    "position.sinai": "시나이 당구",
+    "position.stadium": "스타디움",
     "rules.title": "규칙",
     "rules.hint": "← → 게임 · Esc 닫기",
     "rule.free.1": "점수도 순서도 없습니다. 샷의 내용만 알려 줍니다.",

@@ -333,6 +333,8 @@ def meet_nose(wall, ball, rule, lasts):
     )
     if wait < lasts and not beside(wall, p + wait * v):
         wait = inf
+    if wait == 0.0 and length(complex(across, above)) < radius * (1.0 - MARGIN):
+        wait = inf  # it came down over the nose's end, and in it: a push would not part them
     if wall.kind == SEGMENT:  # over where it stands, so that it is over one or the other at a bend
         across = gap + radius
     over = max(0.0, -across / speed) if speed < 0.0 and not behind else inf

@@ -303,7 +303,7 @@ def test_the_energies_of_every_scene_add_up_at_every_event(name, law):
     world.cluster_law = law
     if world.at_rest:
         world.strike(world.balls[0], SHOT)
-    world.run()
+    world.run(inf if world.cloth.roll else 20.0)  # on ice a billiard goes on without end
     assert open_balance(world) < 1e-12
 
 
