@@ -1,6 +1,7 @@
 """Is there room for one obstacle more: do the lines leave a table, and is no pocket in another?"""
 
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from itertools import pairwise
 
 from .kernel.motion import length
@@ -45,16 +46,29 @@ def _cut(corners: list[complex], wall: Wall, out: float) -> list[complex]:
 def _check_lines(lines: list[Wall], new: Wall) -> None:
     """A line has no end, so a table of lines has no corner that points inward: one that is meant
     to have one would lose more than one of its walls."""
-    far = OUT * max(1.0, *(abs(line.distance((0.0, 0.0))) for line in (*lines, new)))
-    before, after = inside(lines, far), inside([*lines, new], far)
-    if not after:
+    lost = _lost(tuple(line.numbers for line in (*lines, new)))
+    if lost is None:
         raise ValueError(f"no place is inside all lines with {_called(new)}")
-    lost = [line for line in lines if _bounds(line, before, far) and not _bounds(line, after, far)]
     if len(lost) > 1:
         raise ValueError(
             f"lines have no ends: behind {_called(new)} no ball can meet"
-            f" {' and '.join(map(_called, lost))}; use Wall.segment for walls that end"
+            f" {' and '.join(_called(lines[k]) for k in lost)}; use Wall.segment for walls that end"
         )
+
+
+@lru_cache(maxsize=256)
+def _lost(bare: tuple[tuple[complex, float], ...]) -> tuple[int, ...] | None:
+    """Which of the lines no ball can meet any more behind the last of them; None if nothing is
+    left of the table.  Kept, since the same tables are made again and again."""
+    *lines, new = (Wall(*line) for line in bare)
+    far = OUT * max(1.0, *(abs(line.distance((0.0, 0.0))) for line in (*lines, new)))
+    before, after = inside(lines, far), inside([*lines, new], far)
+    if not after:
+        return None
+    numbered = enumerate(lines)
+    return tuple(
+        k for k, line in numbered if _bounds(line, before, far) and not _bounds(line, after, far)
+    )
 
 
 def _bounds(line: Wall, corners: list[complex], far: float) -> bool:

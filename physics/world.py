@@ -1,9 +1,12 @@
 """The world: balls, walls and laws on one cloth, and the moment they are at."""
 
+from collections import deque
 from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
+from itertools import repeat
 from math import inf
+from operator import attrgetter
 from typing import Any, TypeVar
 
 from . import laws
@@ -25,6 +28,14 @@ from .wall import Obstacle
 
 FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
 
+
+OWN = "__weakref__", "_asking", "_balls", "_clock", "_index", "_walls", "log", "scene"
+SHARED = (  # with a copy
+    "_ball_law", "_checked", "_cloth", "_cluster_law", "_cushion_law", "_discs", "_engine",
+    "_table", "_warned", "_watched", "allowed", "due", "planned",
+)  # fmt: skip
+_shared = attrgetter(*SHARED)
+
 Thing = TypeVar("Thing", bound=Ball | Obstacle)
 
 
@@ -36,11 +47,7 @@ class World:
     discs: are its balls flat?  table: whose balls those are that have no size (see `Table.world`).
     """
 
-    __slots__ = (  # so that a misspelt name is an error, and not an attribute that nothing reads
-        "__weakref__", "_asking", "_ball_law", "_balls", "_checked", "_clock", "_cloth",
-        "_cluster_law", "_cushion_law", "_discs", "_engine", "_index", "_table", "_walls",
-        "_warned", "_watched", "allowed", "due", "log", "planned", "scene",
-    )  # fmt: skip
+    __slots__ = (*OWN, *SHARED)  # a misspelt name is an error, not an attribute that nothing reads
 
     def __init__(
         self,
@@ -65,11 +72,9 @@ class World:
         self._index: dict[str, int] = {}
         self._walls: list[Obstacle] = []
         self._checked = 0  # how many of the walls all balls are known to be inside of
-        self.log = Log()
-        self.log.watch(self._walls)
-        self.scene = Scene(
-            [], [], [], self._clock.cloth, None, None, no_ties(0), False, no_grid(0)
-        )
+        self.log = Log(self._walls)
+        felt = self._clock.cloth
+        self.scene = Scene([], [], [], felt, None, None, no_ties(0), False, no_grid(0))
         self._renew_rules()
         # for the engine: when the next event is due, from the epoch on; when it planned; its budget
         self.due, self.planned, self.allowed = inf, 0.0, 0
@@ -360,8 +365,7 @@ class World:
         world = World.__new__(World)
         clock = self._clock.copy()
         balls = [ball.twin(clock) for ball in self._balls]
-        for name in World.__slots__[1:]:
-            setattr(world, name, getattr(self, name))
+        deque(map(setattr, repeat(world), SHARED, _shared(self)), 0)  # for each preview: quickly
         world._clock, world._balls, world.log = clock, balls, log
         world._index, world._walls, world._asking = self._index.copy(), self._walls[:], []
         log.watch(world._walls)
@@ -369,8 +373,6 @@ class World:
         if world._watched:
             world._renew_rules()  # so that it watches its own balls
         return world
-
-    # -- taking in what was changed from outside -----------------------------------------------
 
     def _disturb(self) -> None:
         self._clock.disturbed = True
@@ -395,6 +397,4 @@ class World:
         self.planned = self.time
         self._engine.plan(self, [i for i, body in enumerate(bodies) if body.phase == DISTURBED])
         clock.disturbed = clock.moved = False
-        for i, body in enumerate(bodies):
-            if not self.log.knows(i):
-                self.log.begin(i, clock.epoch, body, clock.cloth.fade)
+        self.log.begin_rest(clock.epoch, bodies, clock.cloth.fade)
