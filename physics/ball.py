@@ -86,14 +86,15 @@ class Clock:
         self.loose = False  # may balls overlap, because fixed steps have left them so?
 
     def copy(self) -> "Clock":
-        clock = Clock(self.cloth)
+        clock = Clock.__new__(Clock)
         clock.assign(self)
         return clock
 
     def begin_epoch(self, bodies: Sequence[Body]) -> None:
         """Count time from now on: the same shot has the same digits, whenever it is played."""
         for body in bodies:
-            carry(body, self.now, self.cloth)
+            if body.since != self.now:
+                carry(body, self.now, self.cloth)
             body.since = 0.0
             if body.hopped != NEVER:
                 forget(body)
@@ -107,8 +108,8 @@ class Clock:
 
     def assign(self, other: "Clock") -> None:
         """Take over the moment and the cloth of another clock."""
-        for name in Clock.__slots__:
-            setattr(self, name, getattr(other, name))
+        self.cloth, self.disturbed, self.epoch = other.cloth, other.disturbed, other.epoch
+        self.loose, self.moved, self.now = other.loose, other.moved, other.now
 
 
 class Alone(Clock):
@@ -293,7 +294,7 @@ class Ball:
     @property
     def gone(self) -> bool:
         """Has it left the table?"""
-        return self._does().gone
+        return self._body.height < 0.0
 
     def _does(self) -> Phase:
         body = self._body

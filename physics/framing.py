@@ -15,6 +15,8 @@ ALONG = 1e-12  # m: what reaches no farther in front of a line is along it
 def framed(scene: Scene) -> Scene:
     """The scene as its walls and balls are now."""
     lines = all(wall.kind == LINE for wall in scene.walls)
+    if lines and scene.lines:
+        return scene
     smallest = min((ball.radius for ball in scene.balls), default=0.0)
     return scene._replace(lines=lines, frame=() if lines else frame(tuple(scene.walls), smallest))
 

@@ -96,10 +96,10 @@ class Leg(NamedTuple):
 class Log(Sequence[Event]):
     """The events in their order; each is computed when it is looked at."""
 
-    def __init__(self) -> None:
+    def __init__(self, walls: list[Obstacle] | None = None) -> None:
         self.names: list[str] = []
         self._masses: list[float] = []
-        self._walls: list[Obstacle] = []
+        self._walls = [] if walls is None else walls
         self._legs: list[list[tuple[Any, ...]]] = []
         self._events: list[tuple[Any, ...]] = []
         self._departures = Departures()
@@ -124,9 +124,12 @@ class Log(Sequence[Event]):
              body.lift)
         )  # fmt: skip
 
-    def knows(self, i: int) -> bool:
-        """Is there a leg of ball i?"""
-        return bool(self._legs[i])
+    def begin_rest(self, epoch: float, bodies: Sequence[Body], fade: float) -> None:
+        """The balls of which there is no leg are on their first."""
+        if not all(self._legs):
+            for i, body in enumerate(bodies):
+                if not self._legs[i]:
+                    self.begin(i, epoch, body, fade)
 
     def note(self, epoch: float, time: float, kind: int, i: int, other: int) -> None:
         """Something of that kind has happened to ball i, and wall or ball `other` if there is one;

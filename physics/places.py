@@ -2,13 +2,16 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import hypot
+from operator import itemgetter
 
 from .ball import Ball
 from .kernel.body import Rule
 from .kernel.motion import length
-from .kernel.obstacle import nose
+from .kernel.obstacle import clearance, nose
 from .laws import cushion_rule
 from .wall import Obstacle
+
+Spot = tuple[float, float, float, float, float, Ball]  # west end, place in space, radius
 
 OVERLAP = 1e-9  # m: how far things may overlap, by rounding, in a scene typed by hand
 
@@ -27,30 +30,47 @@ def check_places(
     dt: the engine's step, s, or 0.
     """
     # fixed steps notice a contact when things overlap by what they move in a step
-    fastest = max((length(complex(*ball.velocity)) for ball in balls), default=0.0)
-    slack = 2.0 * fastest * dt
-    here = [ball for ball in balls if not ball.gone]
-    for ball in here:
+    slack = OVERLAP + (2.0 * dt * max(map(_speed, balls), default=0.0) if dt else 0.0)
+    spots = _spots(ball for ball in balls if not ball.gone)
+    for _, x, y, _, radius, ball in spots:
+        p, level = complex(x, y), ball.on_cloth
         for wall in walls if ball.put else fresh:
-            if _depth(ball, wall, rule) > slack + OVERLAP:
+            depth = -clearance(wall.shape, p, radius) if level else _depth(ball, wall, rule)
+            if depth > slack:
                 where = "outside" if wall.kind == "line" else "in"
                 raise ValueError(f"{ball!r} is {where} the {wall.noun} {wall.name or wall!r}")
-    for ball, other in overlapping(here, slack + OVERLAP):
+    for ball, other in _pairs(spots, slack):
         if ball.put or other.put:
             raise ValueError(f"{ball!r} and {other!r} overlap")
 
 
+def _speed(ball: Ball) -> float:
+    return float(length(complex(*ball.velocity)))
+
+
 def overlapping(balls: Iterable[Ball], slack: float) -> Iterator[tuple[Ball, Ball]]:
     """The pairs that overlap by more than slack, m."""
-    here = sorted(balls, key=lambda ball: ball.position[0] - ball.radius)
-    spots = [(*ball.position, ball.height + ball.body.lift, ball.radius) for ball in here]
-    for i, (x, y, z, r) in enumerate(spots):
-        for k in range(i + 1, len(here)):
-            u, v, w, s = spots[k]
-            if u - s > x + r:
+    return _pairs(_spots(balls), slack)
+
+
+def _spots(balls: Iterable[Ball]) -> list[Spot]:
+    """Where the balls are."""
+    return [
+        (x - ball.radius, x, y, ball.height + ball.body.lift, ball.radius, ball)
+        for ball in balls
+        for x, y in (ball.position,)
+    ]
+
+
+def _pairs(spots: list[Spot], slack: float) -> Iterator[tuple[Ball, Ball]]:
+    """Those that overlap; from west to east, so that most pairs are never looked at."""
+    spots = sorted(spots, key=itemgetter(0))
+    for i, (_, x, y, z, r, ball) in enumerate(spots):
+        for west, u, v, w, s, other in spots[i + 1 :]:
+            if west > x + r:
                 break
             if hypot(u - x, v - y, w - z) < r + s - slack:
-                yield here[i], here[k]
+                yield ball, other
 
 
 def _depth(ball: Ball, wall: Obstacle, rule: Rule) -> float:

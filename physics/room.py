@@ -1,6 +1,7 @@
 """Is there room for one obstacle more: do the lines leave a table, and is no pocket in another?"""
 
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from itertools import pairwise
 
 from .kernel.motion import length
@@ -47,23 +48,38 @@ def _cut(corners: list[complex], wall: Wall, out: float) -> list[complex]:
 def _check_lines(lines: list[Wall], new: Wall) -> None:
     """A line has no end, so a table of lines has no corner that points inward: one that is meant
     to have one would lose some of its walls. A side may be moved in."""
-    far = OUT * max(1.0, *(abs(line.distance((0.0, 0.0))) for line in (*lines, new)))
-    before, after = inside(lines, far), inside([*lines, new], far)
-    if not after:
+    left, met, lost = _lost(tuple(line.numbers for line in (*lines, new)))
+    if not left:
         raise ValueError(f"no place is inside all lines with {_called(new)}")
-    if not _bounds(new, after, far):
+    if not met:
         raise ValueError(f"no ball can meet {_called(new)}: other lines are in front of it")
-    lost = [line for line in lines if _bounds(line, before, far) and not _bounds(line, after, far)]
-    if lost and not (len(lost) == 1 and _moves_in(new, lost[0])):
+    if lost and not (len(lost) == 1 and _moves_in(new, lines[lost[0]])):
         raise ValueError(
             f"lines have no ends: behind {_called(new)} no ball can meet"
-            f" {' and '.join(map(_called, lost))}; use Wall.segment for walls that end"
+            f" {' and '.join(_called(lines[k]) for k in lost)}; use Wall.segment for walls that end"
         )
 
 
 def _moves_in(new: Wall, old: Wall) -> bool:
     """Is it the same side of the table, nearer?"""
     return bool(length(new.facing(MIDDLE) - old.facing(MIDDLE)) < ALONG)
+
+
+@lru_cache(maxsize=256)
+def _lost(bare: tuple[tuple[complex, float], ...]) -> tuple[bool, bool, tuple[int, ...]]:
+    """Is anything of the table left with the last of the lines, can a ball meet that one, and which
+    of the others can none meet any more behind it?  Kept, since the same tables are made again and
+    again."""
+    *lines, new = (Wall(*line) for line in bare)
+    far = OUT * max(1.0, *(abs(line.distance(MIDDLE)) for line in (*lines, new)))
+    before, after = inside(lines, far), inside([*lines, new], far)
+    if not after:
+        return False, False, ()
+    numbered = enumerate(lines)
+    lost = tuple(
+        k for k, line in numbered if _bounds(line, before, far) and not _bounds(line, after, far)
+    )
+    return True, _bounds(new, after, far), lost
 
 
 def _bounds(line: Wall, corners: list[complex], far: float) -> bool:

@@ -135,6 +135,11 @@ class Wall(Obstacle):
         a, b = py - qy, qx - px
         return cls.line(a, b, -(a * px + b * py), name, law)
 
+    @property
+    def numbers(self) -> tuple[complex, float]:
+        """Its normal and its offset: what makes it this line."""
+        return self.normal, self.offset
+
     @staticmethod
     def segment(p: Point, q: Point, name: str | None = None, law: Law = None) -> "Segment":
         """The straight wall from p to q, metres, with the table on its left."""

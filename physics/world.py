@@ -1,10 +1,13 @@
 """The world: balls, walls and laws on one cloth, and the moment they are at."""
 
+from collections import deque
 from collections.abc import Iterable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
+from itertools import repeat
 from math import inf
-from typing import Any
+from operator import attrgetter
+from typing import Any, TypeVar
 
 from . import laws
 from .ball import DISTURBED, Ball, Clock, Placed, a_table
@@ -27,6 +30,15 @@ from .wall import Obstacle
 FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
 
 
+OWN = "__weakref__", "_asking", "_balls", "_clock", "_index", "_walls", "log", "scene"
+SHARED = (  # with a copy
+    "_ball_law", "_checked", "_cloth", "_cluster_law", "_cushion_law", "_discs", "_engine",
+    "_table", "_warned", "_watched", "allowed", "due", "planned",
+)  # fmt: skip
+_shared = attrgetter(*SHARED)
+
+Thing = TypeVar("Thing", bound=Ball | Obstacle)
+
 class World(Contents, Pictured):
     """Balls inside walls on a cloth, laws for what happens when they touch, an engine and a log.
 
@@ -36,11 +48,7 @@ class World(Contents, Pictured):
     balls, walls: what is in it from the start; `add` puts in more.
     """
 
-    __slots__ = (  # so that a misspelt name is an error, and not an attribute that nothing reads
-        "__weakref__", "_asking", "_ball_law", "_balls", "_checked", "_clock", "_cloth",
-        "_cluster_law", "_cushion_law", "_discs", "_engine", "_index", "_table", "_walls",
-        "_warned", "_watched", "allowed", "due", "log", "planned", "scene",
-    )  # fmt: skip
+    __slots__ = (*OWN, *SHARED)  # a misspelt name is an error, not an attribute that nothing reads
 
     def __init__(
         self,
@@ -67,9 +75,9 @@ class World(Contents, Pictured):
         self._index: dict[str, int] = {}
         self._walls: list[Obstacle] = []
         self._checked = 0  # how many of the walls all balls are known to be inside of
-        self.log = Log()
-        self.log.watch(self._walls)
-        self.scene = Scene([], [], [], self._clock.cloth, None, None, no_ties(0), False, no_grid(0))
+        self.log = Log(self._walls)
+        felt = self._clock.cloth
+        self.scene = Scene([], [], [], felt, None, None, no_ties(0), False, no_grid(0))
         self._renew_rules()
         # for the engine: when the next event is due, from the epoch on; when it planned; its budget
         self.due, self.planned, self.allowed = inf, 0.0, 0
@@ -313,8 +321,7 @@ class World(Contents, Pictured):
         world = World.__new__(World)
         clock = self._clock.copy()
         balls = [ball.twin(clock) for ball in self._balls]
-        for name in World.__slots__[1:]:
-            setattr(world, name, getattr(self, name))
+        deque(map(setattr, repeat(world), SHARED, _shared(self)), 0)  # for each preview: quickly
         world._clock, world._balls, world.log = clock, balls, log
         world._index, world._walls, world._asking = self._index.copy(), self._walls[:], []
         log.watch(world._walls)
@@ -322,8 +329,6 @@ class World(Contents, Pictured):
         if world._watched:
             world._renew_rules()  # so that it watches its own balls
         return world
-
-    # -- taking in what was changed from outside -----------------------------------------------
 
     def _disturb(self) -> None:
         self._clock.disturbed = True
@@ -348,6 +353,4 @@ class World(Contents, Pictured):
         self.planned = self.time
         self._engine.plan(self, [i for i, body in enumerate(bodies) if body.phase == DISTURBED])
         clock.disturbed = clock.moved = False
-        for i, body in enumerate(bodies):
-            if not self.log.knows(i):
-                self.log.begin(i, clock.epoch, body, clock.cloth.fade)
+        self.log.begin_rest(clock.epoch, bodies, clock.cloth.fade)

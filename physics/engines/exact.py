@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 from physics.checks import keep, nonnegative, positive
 from physics.engines.engine import Movable
-from physics.kernel.calendar import earliest, happen, plan_meetings, soonest, start_leg
+from physics.kernel.calendar import earliest, happen, plan_all, plan_meetings, soonest, start_leg
 from physics.kernel.grid import locate
 from physics.kernel.impulses import WALL
 from physics.kernel.kinds import CLUSTER, LASTING, PAIR, UNSOLVED
@@ -65,13 +65,17 @@ class EventDriven:
 
     def plan(self, world: Movable, disturbed: list[int]) -> None:
         scene, balls = world.scene, world.scene.balls
+        if len(disturbed) == len(balls):
+            plan_all(scene)
+        else:
+            for i in disturbed:
+                if scene.celled:
+                    locate(i, balls[i], scene.grid)
+                start_leg(i, scene)
+            for i in disturbed:
+                plan_meetings(i, scene)
         for i in disturbed:
-            if scene.celled:
-                locate(i, balls[i], scene.grid)
-            start_leg(i, scene)
             world.log.begin(i, world.epoch, balls[i], scene.cloth.fade)
-        for i in disturbed:
-            plan_meetings(i, scene)
         world.due = balls[soonest(scene)].next if balls else inf
         world.allowed = len(world.log) + self.budget
 

@@ -275,13 +275,12 @@ def celled(scene: Scene) -> Scene:
 
 def twin_scene(scene: Scene, balls: list[Body]) -> Scene:
     """A copy of the scene, with those records of its balls."""
-    return scene._replace(
-        balls=balls,
-        meetings=scene.meetings[:],
-        walls=scene.walls[:],
-        ties=no_ties(len(balls)),
-        grid=twin_grid(scene.grid) if scene.celled else no_grid(len(balls)),
-    )
+    n = len(balls)
+    grid = twin_grid(scene.grid) if scene.celled else no_grid(n)
+    return Scene(
+        balls, scene.meetings[:], scene.walls[:], *scene[3:6], no_ties(n), scene.celled, grid,
+        *scene[9:],
+    )  # fmt: skip
 
 
 def rows(items: Sequence[Any]) -> Any:

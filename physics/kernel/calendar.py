@@ -108,14 +108,22 @@ def appoint(j, i, when, balls, meetings):
 @whole
 def plan(scene):
     """Start over from balls that have been placed or pushed."""
+    balls = scene.balls
+    for i in range(len(balls)):
+        balls[i].trapped = 0
+        forget(balls[i])
+    plan_all(scene)
+
+
+@whole
+def plan_all(scene):
+    """All balls start from where they are; pairs that rest need not be asked."""
     balls, meetings, grid = scene.balls, scene.meetings, scene.grid
     n = len(balls)
     for k in range(len(meetings)):
         meetings[k] = inf
     for i in range(n):
         ball = balls[i]
-        ball.trapped = 0
-        forget(ball)
         if scene.celled:
             locate(i, ball, grid)
         start_leg(i, scene)
