@@ -54,7 +54,7 @@ class Stage:
         self.sprites = BallSprites(layout, self.looks, radii, cloth, many=many)
         self.sprites.wells = wells
         self.holes = holes(session.world)
-        self.dropped = Dropped(falls_into(session.world))
+        self.dropped = Dropped(falls_into(session.world), fine=many)
         self.trail, self.orientations = Trail(), Orientations(self.sprites)
         self.spread, self.fan = spread or Spread(), Fan(layout)
         self._time, self._shown = session.world.time, (session.began, session.timeline.at)
