@@ -56,13 +56,14 @@ class Spot(NamedTuple):
 
 class Sight(NamedTuple):
     """What a ball's picture depends on: how it has turned, the cell of its light (m), by how many
-    half pixels it is off; then where it is (m), and where its top left corner goes."""
+    half pixels it is off; then where it is (m), and where its top left corner and its middle go."""
 
     turn: Quaternion
     cell: Place
     half: tuple[int, int]
     at: Place
     corner: tuple[int, int]
+    middle: tuple[int, int]
 
 
 class BallSprites:
@@ -95,6 +96,7 @@ class BallSprites:
         self._seen: list[Sight | None] = [None] * len(self.looks)
         self._shadows = {px: Shadows(px, layout.scale) for px in {*self._px}}
         self._grid = FEW_CELLS if many else CELLS
+        self._sides_of_bed = layout.length, layout.width
         self._sheets: dict[float, Sheet] = {}
         self._fine: dict[float, Fine] = {}
         self._painters: dict[float, Painter] = {}
@@ -170,7 +172,8 @@ class BallSprites:
         left, top = round(2 * x) - side // 2, round(2 * y) - side // 2
         half = (left % 2, top % 2)
         corner = (left - half[0]) // 2, (top - half[1]) // 2
-        return Sight(self._orientations[index], self._cell(at), half, at, corner)
+        middle = round(x), round(y)
+        return Sight(self._orientations[index], self._cell(at), half, at, corner, middle)
 
     def sprite(
         self, index: int, at: Place, *, still: bool = False
@@ -210,14 +213,15 @@ class BallSprites:
 
     def shadow(self, surface: pygame.Surface, spot: Spot) -> pygame.Rect:
         """Draw the shadow of a ball, thrown away from the lamps."""
-        shadows = self._shadows[self._px[spot.ball]]
+        shadows, seen = self._shadows[self._px[spot.ball]], self._seen[spot.ball]
+        if seen is not None and seen.at == spot.at and not spot.height:
+            return shadows.draw_joined(surface, seen.middle, seen.cell)
         centre = self.layout.to_screen(*spot.at)
         if spot.height > 0.0:
             return shadows.draw_below(surface, centre, spot.at, spot.height)
         if self._sheets:
-            seen = self._seen[spot.ball]
-            cell = seen.cell if seen is not None and seen.at == spot.at else self._cell(spot.at)
-            return shadows.draw_joined(surface, centre, cell)
+            middle = round(centre[0]), round(centre[1])
+            return shadows.draw_joined(surface, middle, self._cell(spot.at))
         return shadows.draw(surface, centre, spot.at)
 
     def draw(
@@ -228,9 +232,11 @@ class BallSprites:
 
     def draw_all(self, surface: pygame.Surface, spots: Iterable[Spot]) -> list[pygame.Rect]:
         """Draw balls, all shadows below all balls, those in the air above the others."""
-        placed = sorted(spots, key=_height)
-        sunk = [self._sink(surface, spot) for spot in placed if spot.height < 0.0]
-        placed = placed[len(sunk) :]
+        placed, sunk = [*spots], []
+        if any(spot.height for spot in placed):
+            placed.sort(key=_height)
+            sunk = [self._sink(surface, spot) for spot in placed if spot.height < 0.0]
+            placed = placed[len(sunk) :]
         shadows = [self.shadow(surface, spot) for spot in placed]
         return sunk + [
             shadow.union(self._put(surface, spot))
@@ -246,6 +252,11 @@ class BallSprites:
         return self.wells.sink(surface, picture, centre, radius, -spot.height)
 
     def _put(self, surface: pygame.Surface, spot: Spot) -> pygame.Rect:
+        seen = self._seen[spot.ball] if not (spot.still or spot.height) else None
+        turn = self._orientations[spot.ball]
+        if seen is not None and seen.at == spot.at and seen.turn is turn:  # painted in the sheet
+            sheet, cell = self._sheets[self._px[spot.ball]], self._cells[spot.ball]
+            return surface.blit(sheet.whole, seen.corner, sheet.areas[cell])
         picture, corner = self.sprite(spot.ball, spot.at, still=spot.still)
         if spot.height <= 0.0:
             return surface.blit(picture, corner)
@@ -256,12 +267,10 @@ class BallSprites:
 
     def _cell(self, at: Place) -> Place:
         """Return the middle of the light cell that holds `at`, metres."""
-        sides = (self.layout.length, self.layout.width)
-        x, y = (
-            (min(max(round(p / side * n), -(n // 2)), n // 2)) * side / n
-            for p, side, n in zip(at, sides, self._grid, strict=True)
-        )
-        return x, y
+        (across, down), (length, width) = self._grid, self._sides_of_bed
+        x = min(max(round(at[0] / length * across), -(across // 2)), across // 2)
+        y = min(max(round(at[1] / width * down), -(down // 2)), down // 2)
+        return x * length / across, y * width / down
 
 
 def _height(spot: Spot) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from math import cos, sin
+from math import ceil, cos, radians, sin
 
 import numpy as np
 import pygame
@@ -32,6 +32,8 @@ PARTS = (
     (1.380, theme.CUE_WRAP),
 )
 """Where each part begins, metres from the tip."""
+SIDEWAYS, DOWNWARDS = 0.12, 0.30
+"""How far the butt's shadow is seen from it, in heights."""
 FADE = 22
 """Over this many px (at s = 1) the cue fades at the edge of the table, so it crosses no field."""
 
@@ -44,20 +46,20 @@ def draw(
     pullback_m: float,
     alpha: float = 1.0,
     radius: float = 0.03275,
+    elevation: float = 0.0,
 ) -> pygame.Rect:
     """Draw the cue behind a ball at `ball_xy` (m) that is to leave at `angle_rad` (y up).
 
-    `pullback_m` is how far the tip is drawn back from the ball's surface.
+    `pullback_m` is how far the tip is drawn back from the ball's surface. Raised by `elevation`,
+    degrees, it looks shorter, and its shadow leaves it.
     """
-    back = radius + LEAST + pullback_m
-    ahead = (cos(angle_rad), sin(angle_rad))
-    ends = [
-        layout.to_screen(ball_xy[0] - d * ahead[0], ball_xy[1] - d * ahead[1])
-        for d in (back, back + LENGTH)
-    ]
+    ends = _ends(layout, ball_xy, angle_rad, radius + LEAST + pullback_m, elevation)
     clip = surface.get_clip().clip(layout.table)
-    dirty = _shadow(surface, layout, ends, clip, alpha)
+    dirty = _shadow(surface, layout, ends, clip, alpha, LENGTH * sin(radians(elevation)))
     near = raster.beside(ends[0], ends[1], BUTT * layout.scale + 1, clip)
+    if elevation:  # what is seen of the stick, along the stick
+        along = near.along / np.float32(cos(radians(elevation)))
+        near = near._replace(along=along.clip(0, LENGTH * layout.scale))
     half = _half(layout, near)
     cover = (half + np.float32(0.5) - near.away).clip(0, 1) * np.float32(alpha)
     spot = near.along.astype(np.intp) * ACROSS + _shade(near, ends, half)
@@ -66,17 +68,49 @@ def draw(
     return dirty.union(raster.blend(surface, near.x, near.y, cover, colour, once=True))
 
 
+def _ends(
+    layout: Layout, ball: tuple[float, float], angle: float, back: float, elevation: float
+) -> list[tuple[float, float]]:
+    """Where tip and butt are on the screen; `back`: from the ball's middle to the tip, m."""
+    level = cos(radians(elevation))
+    ahead = (cos(angle), sin(angle))
+    reach = (back * level, (back + LENGTH) * level)
+    return [layout.to_screen(ball[0] - d * ahead[0], ball[1] - d * ahead[1]) for d in reach]
+
+
+def room(
+    layout: Layout,
+    ball_xy: tuple[float, float],
+    angle_rad: float,
+    pullback_m: float,
+    radius: float,
+    elevation: float = 0.0,
+) -> pygame.Rect:
+    """Return the rectangle around a cue and its shadow, inside the table."""
+    ends = _ends(layout, ball_xy, angle_rad, radius + pullback_m, elevation)
+    high = LENGTH * sin(radians(elevation)) * layout.scale
+    pad = ceil(0.08 * layout.scale)
+    xs = (ends[0][0], ends[1][0], ends[1][0] + SIDEWAYS * high)
+    ys = (ends[0][1], ends[1][1], ends[1][1] + DOWNWARDS * high)
+    left, top = int(min(xs)), int(min(ys))
+    box = pygame.Rect(left, top, int(max(xs)) - left + 1, int(max(ys)) - top + 1)
+    return box.inflate(2 * pad, 2 * pad).clip(layout.table)
+
+
 def _shadow(
     surface: pygame.Surface,
     layout: Layout,
     ends: list[tuple[float, float]],
     clip: pygame.Rect,
     alpha: float,
+    high: float,
 ) -> pygame.Rect:
-    """Draw a soft shadow that leaves the cue towards the butt, which is held higher."""
+    """Draw a soft shadow that leaves the cue towards the butt, which is held higher, by `high`
+    metres if the cue is raised."""
     scale = layout.scale
+    aside, down = 0.020 + SIDEWAYS * high, 0.045 + DOWNWARDS * high
     start = (ends[0][0] + 0.006 * scale, ends[0][1] + 0.010 * scale)
-    end = (ends[1][0] + 0.020 * scale, ends[1][1] + 0.045 * scale)
+    end = (ends[1][0] + aside * scale, ends[1][1] + down * scale)
     soft = 0.012 * scale
     near = raster.beside(start, end, BUTT * scale + soft, clip)
     edge = np.float32(0.35 * soft) + near.along * np.float32(0.65 * 0.012 / LENGTH)

@@ -43,7 +43,7 @@ class Shadows:
     def __init__(self, radius: float, scale: float) -> None:
         self.radius, self.scale = radius, scale
         self._discs = [(soft_disc(radius, *disc), throw) for disc, throw in THROWN]
-        self._joined: dict[Place, tuple[pygame.Surface, int]] = {}
+        self._joined: dict[Place, tuple[pygame.Surface, int, int]] = {}
 
     def thrown(self, at: Place) -> list[tuple[pygame.Surface, float, float]]:
         """The two discs of a ball at `at` (m), and how far each is off its centre, px."""
@@ -60,15 +60,18 @@ class Shadows:
         assert dirty is not None
         return dirty
 
-    def draw_joined(self, surface: pygame.Surface, centre: Place, cell: Place) -> pygame.Rect:
+    def draw_joined(
+        self, surface: pygame.Surface, middle: tuple[int, int], cell: Place
+    ) -> pygame.Rect:
         """The same in one go, thrown as in the middle of its light's cell (m)."""
         if cell not in self._joined:
             self._joined[cell] = self._join(cell)
-        disc, half = self._joined[cell]
-        return surface.blit(disc, (round(centre[0]) - half, round(centre[1]) - half))
+        disc, left, top = self._joined[cell]
+        return surface.blit(disc, (middle[0] + left, middle[1] + top))
 
-    def _join(self, cell: Place) -> tuple[pygame.Surface, int]:
-        """Both discs as one: what the one lets through, the other one darkens."""
+    def _join(self, cell: Place) -> tuple[pygame.Surface, int, int]:
+        """Both discs as one: what the one lets through, the other one darkens; and where its corner
+        is from the ball's middle, px."""
         half = int(np.ceil(self.radius * SOFT[1] * 1.4)) + 2
         axis = np.arange(2 * half, dtype=np.float32) + 0.5 - half
         left = np.ones((2 * half, 2 * half), np.float32)
@@ -77,7 +80,8 @@ class Shadows:
             left *= 1 - _alpha(away, *shape)
         disc = pygame.Surface((2 * half, 2 * half), pygame.SRCALPHA, 32)
         pygame.surfarray.pixels_alpha(disc)[:] = np.round(255 * (1 - left))
-        return disc, half
+        seen = disc.get_bounding_rect()
+        return disc.subsurface(seen).copy(), seen.x - half, seen.y - half
 
     def draw_below(
         self, surface: pygame.Surface, centre: Place, at: Place, height: float

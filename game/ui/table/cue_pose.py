@@ -8,6 +8,7 @@ from __future__ import annotations
 from math import atan2, hypot, radians
 from typing import NamedTuple
 
+from game.aim.tip import tip_of
 from game.session.session import Session
 
 from . import marks
@@ -23,12 +24,22 @@ FADE = 0.25
 
 
 class Pose(NamedTuple):
-    """The ball it points at, m; the angle, radians; how far it is drawn back, m; its alpha."""
+    """How the cue is held, as `cue_stick.draw` takes it.
+
+    ball: that it points at, m.
+    angle: radians.
+    back: how far it is drawn back, m.
+    alpha: of its picture.
+    radius: of the ball, m.
+    elevation: degrees.
+    """
 
     ball: tuple[float, float]
     angle: float
     back: float
     alpha: float
+    radius: float
+    elevation: float = 0.0
 
 
 def pose(session: Session, still: bool) -> Pose | None:
@@ -37,8 +48,9 @@ def pose(session: Session, still: bool) -> Pose | None:
         shot = None if session.arranging else session.aim.shot
         if shot is None:
             return None
-        at = session.world.ball(session.cue).position
-        return Pose(at, radians(shot.angle), pull(shot.speed), 1.0)
+        ball = session.world.ball(session.cue)
+        steep = tip_of(shot).elevation or 0.0
+        return Pose(ball.position, radians(shot.angle), pull(shot.speed), 1.0, ball.radius, steep)
     if not (session.shown_shot and session.shots) or still:
         return None
     return _stroke(session, session.timeline.moment - session.began)
@@ -55,4 +67,5 @@ def _stroke(session: Session, time: float) -> Pose | None:
     ahead = min(FOLLOW * speed, FARTHEST) * (1.0 - left**3)
     alpha = 1.0 - max(0.0, time - THROUGH) / FADE
     angle = atan2(struck.velocity[1], struck.velocity[0])
-    return Pose(struck.position, angle, -ahead, round(alpha, 2))
+    radius = session.world.ball(session.shooter).radius
+    return Pose(struck.position, angle, -ahead, round(alpha, 2), radius)

@@ -12,7 +12,7 @@ from game.render.table.balls import Spot
 from game.render.table.wells import DEEP
 from game.session.session import Session
 from game.session.ticks import TICKS
-from physics import Event
+from physics import Ball, Event, State
 
 GRAVITY = 9.81
 TIP, QUICK = 0.06, 3.0
@@ -35,10 +35,10 @@ class Hole(NamedTuple):
 
 
 class Dropped:
-    """The balls that are gone during one shot."""
+    """The balls that are gone during one shot; `fine`: is it of interest which ones rest?"""
 
-    def __init__(self, holes: dict[str, Hole]) -> None:
-        self._holes = holes
+    def __init__(self, holes: dict[str, Hole], *, fine: bool = False) -> None:
+        self._holes, self._fine = holes, fine
         self._shot: object = None
         self._seen = 0
         self._events: dict[str, Event] = {}
@@ -72,8 +72,7 @@ class Dropped:
             elif event is None and ball.gone:
                 found.append(Spot(i, state.position, AWAY))
             else:
-                lies = ball.lies if live else not any(state.velocity)
-                still = lies and not any(state.spin)
+                still = self._fine and _still(state, lies=ball.lies if live else None)
                 found.append(Spot(i, state.position, state.height, still))
         return found
 
@@ -101,6 +100,11 @@ class Dropped:
             return Spot(index, (at.real, at.imag), state.height if t < FLIES else AWAY)
         at, depth = fallen(hole, radius, p, v, t)
         return Spot(index, (at.real, at.imag), -depth if depth < DEEP else AWAY)
+
+
+def _still(state: Ball | State, *, lies: bool | None) -> bool:
+    """Does a ball neither move nor turn?  `lies`: whether it moves, if that is known."""
+    return not ((any(state.velocity) if lies is None else not lies) or any(state.spin))
 
 
 def fallen(hole: Hole, radius: float, p: complex, v: complex, t: float) -> tuple[complex, float]:

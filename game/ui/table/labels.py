@@ -3,6 +3,7 @@ colours are not enough, and beside a pocket the share of shots that get there.""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 
@@ -21,6 +22,8 @@ from game.session.session import Session
 
 from . import preview_lines
 
+PACK = 4
+"""Balls that look alike from which on none of them needs a name: snooker's reds."""
 Rects = list[pygame.Rect]
 
 
@@ -60,11 +63,10 @@ def tags_of(
     paths: Sequence[Points] = (),
 ) -> Rects:
     """Write them beside the balls that lie on the table; `paths` (px) stay clear."""
-    found = []
-    balls = session.world.balls
+    found, balls, alike = [], session.world.balls, Counter(looks)
     for spot in spots:
         look, radius = looks[spot.ball], balls[spot.ball].radius * layout.scale
-        text = look.letter if wanted(look, radius, colours) else ""
+        text = look.letter if wanted(look, radius, colours) and alike[look] < PACK else ""
         found.append(tags.Tag(layout.to_screen(*spot.at), radius, text))
     if not any(tag.text for tag in found):
         return []

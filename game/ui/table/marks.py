@@ -122,7 +122,7 @@ def _traces(
             rects.append(lines.trace(surface, shown, look.ui, s, dashes=look.dashes))
             radius = session.world.ball(name).radius * layout.scale
             rects.append(lines.ring(surface, shown[0], radius, look.ui, 1.3 * s, 0.8))
-            if lettered:
+            if lettered and look.letter:
                 at = shown[0][0] - TAG * s, shown[0][1] - TAG * s
                 rects.append(cards.tag(surface, at, _type(s), look.ui, look.letter))
         if session.timeline.at is not None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import ceil, cos, sin
+from math import ceil
 
 import pygame
 
@@ -26,7 +26,8 @@ from .trail import Trail
 
 SHADOW = 2.3
 """A ball with its shadow lies within this many radii of its centre."""
-Place = tuple[float, float]
+FAR = 3.0
+"""Heights within which the shadow of a ball in the air lies, and all that the ball grows by."""
 NOTHING = pygame.Rect(0, 0, 0, 0)
 FIRST = 8
 """Samples after which the fan is shown for the first time, before it has them all."""
@@ -43,7 +44,7 @@ class Stage:
     def __init__(
         self, layout: Layout, session: Session, settings: Settings, spread: Spread | None = None
     ) -> None:
-        self.layout, self.radius = layout, session.world.balls[0].radius
+        self.layout = layout
         self.base, wells = furnished(layout, session.world)
         self.lines = self.base.copy()
         self.settings = settings
@@ -53,7 +54,7 @@ class Stage:
         self.sprites = BallSprites(layout, self.looks, radii, cloth, many=many)
         self.sprites.wells = wells
         self.holes = holes(session.world)
-        self.dropped = Dropped(falls_into(session.world))
+        self.dropped = Dropped(falls_into(session.world), fine=many)
         self.trail, self.orientations = Trail(), Orientations(self.sprites)
         self.spread, self.fan = spread or Spread(), Fan(layout)
         self._time, self._shown = session.world.time, (session.began, session.timeline.at)
@@ -166,17 +167,18 @@ class Stage:
             key = (spot, self.sprites.orientation(index))
             was, room = self._balls[index]
             if key != was:
-                now = self._room(spot.at)
+                now = self._room(spot)
                 dirty.append(room.union(now) if room.colliderect(now) else now)
                 if not room.colliderect(now):
                     dirty.append(room)
                 self._balls[index] = (key, now)
         return dirty
 
-    def _room(self, at: Place) -> pygame.Rect:
-        x, y = self.layout.to_screen(*at)
-        side = 2 * self._reach
-        return pygame.Rect(int(x) - self._reach, int(y) - self._reach, side, side)
+    def _room(self, spot: Spot) -> pygame.Rect:
+        """The square around a ball and its shadow, which a ball in the air leaves behind."""
+        x, y = self.layout.to_screen(*spot.at)
+        reach = self._reach + ceil(FAR * max(0.0, spot.height) * self.layout.scale)
+        return pygame.Rect(int(x) - reach, int(y) - reach, 2 * reach, 2 * reach)
 
     def _fanned(self, session: Session) -> int:
         """How many samples of the spread are on show: none, the first ones, or all of them."""
@@ -197,14 +199,8 @@ class Stage:
         """The rectangle around cue and shadow, inside the table."""
         if stroke is None:
             return NOTHING
-        (x, y), angle, pull, _ = stroke
-        reach = (self.radius + pull, self.radius + pull + cue_stick.LENGTH + 0.05)
-        ends = [self.layout.to_screen(x - d * cos(angle), y - d * sin(angle)) for d in reach]
-        left, right = sorted((ends[0][0], ends[1][0]))
-        top, bottom = sorted((ends[0][1], ends[1][1]))
-        pad = ceil(0.08 * self.layout.scale)
-        box = pygame.Rect(int(left), int(top), int(right - left) + 1, int(bottom - top) + 1)
-        return box.inflate(2 * pad, 2 * pad).clip(self.layout.table)
+        ball, angle, back, _, radius, elevation = stroke
+        return cue_stick.room(self.layout, ball, angle, back, radius, elevation)
 
     def _compose(
         self,
@@ -218,7 +214,7 @@ class Stage:
         surface.blit(self.lines, rect, rect)
         self.sprites.draw_all(surface, near)
         if stroke is not None and self._cue[1].colliderect(rect):
-            cue_stick.draw(surface, self.layout, *stroke, self.radius)
+            cue_stick.draw(surface, self.layout, *stroke)
         surface.set_clip(None)
 
 
