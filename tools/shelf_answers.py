@@ -14,7 +14,7 @@ from danggu.rules.carom import Carom
 from danggu.rules.match import Match, Player
 from danggu.rules.sagu import Sagu
 from danggu.rules.state import GameState
-from danggu.rules.stroke import Event
+from danggu.rules.stroke import Logged
 from danggu.rules.verdict import Rules, Turn, Verdict
 from physics import Ball, World, tables
 
@@ -40,7 +40,7 @@ class OneWay:
     def needs(self, turn: Turn) -> int:
         return self.rules.needs(turn)
 
-    def verdict(self, log: Iterable[Event], turn: Turn) -> Verdict:
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         verdict = self.rules.verdict(log, turn)
         if verdict.facts.path == self.way:
             return verdict
@@ -49,7 +49,7 @@ class OneWay:
 
 def laid(position: Position) -> World:
     """The position on its game's own table."""
-    table = tables.MEDIUM_CAROM if position.game == SAGU else tables.MATCH_CAROM
+    table = tables.MEDIUM_CAROM if position.game == SAGU else tables.MATCH_CAROM_2
     world = table.world()
     for name, at in position.on(table.length, table.width).items():
         world.add(Ball(name, at=at, radius=table.radius, mass=table.mass))

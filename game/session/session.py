@@ -66,6 +66,7 @@ class Session:
 
     def begin(self, world: World, table: str) -> None:
         """Play on another table."""
+        presets.as_of(world, table, self.edition)
         self.world, self.table = world, table
         self.history.clear()
         self.cue = self.shooter = self.held_ball = presets.cue_ball(world)

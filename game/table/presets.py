@@ -12,7 +12,7 @@ from physics import Ball, Cloth, EventDriven, Placed, World, laws, scenes, table
 
 Place = tuple[float, float]
 
-CAROM = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM}
+CAROM = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM_2}
 POOL = {"pool-9": tables.pool(9), "pool-8": tables.pool(8), "pool-7": tables.pool(7)}
 TABLES = {**CAROM, **POOL, "snooker": tables.SNOOKER_12FT, "pyramid": tables.PYRAMID_12FT}
 FREE_RACKS = {"pool": "8-ball", "snooker": "snooker", "pyramid": "pyramid"}
@@ -53,17 +53,21 @@ ENGINES: dict[str, Callable[[], Any]] = {
 }
 CLOTHS: dict[str, Cloth | None] = {
     "table": None,
-    **{key: tables.CLOTH_EDITIONS[1][key] for key in ("new", "worn", "humid")},
+    **{key: tables.CLOTHS[key] for key in ("new", "hall", "worn", "humid")},
 }
 """Conditions of the cloth; "table" is the one that a table comes with."""
-EDITIONS = (1, 2)
-"""Of `LAWS` and `CLOTHS`: a record is played with those of its time, and so comes out the same."""
+EDITIONS = (1, 2, 3)
+"""Of tables, laws and cloths: a record is played with those of its time, and so comes out the
+same."""
 EDITION = EDITIONS[-1]
 FIRST_LAWS = {
     "mathavan": LawSet("mathavan", laws.RoughBall, lambda: laws.MathavanCushion(slide=0.212)),
 }
 FIRST_CLOTHS = {"new": Cloth(slide=0.15, roll=0.005, spin_decay=5.0, gravity=9.81)}
 """What was otherwise in edition 1."""
+SECOND_TABLES = {"match": tables.MATCH_CAROM}
+SECOND_CLOTHS = tables.CLOTH_EDITIONS[1]
+"""What was otherwise in edition 2, and in the first."""
 SCENES = scenes.SCENES
 SIDES = ("west", "east", "south", "north")
 
@@ -133,7 +137,17 @@ def law_set(key: str, edition: int = EDITION) -> LawSet:
 
 def cloth(key: str, edition: int = EDITION) -> Cloth | None:
     """The cloth of that key, None for the table's own; KeyError if there is none."""
-    return FIRST_CLOTHS.get(key, CLOTHS[key]) if edition == 1 else CLOTHS[key]
+    old: list[dict[str, Cloth]] = [FIRST_CLOTHS, SECOND_CLOTHS][edition - 1 :]
+    return next((cloths[key] for cloths in old if key in cloths), CLOTHS[key])
+
+
+def as_of(world: World, key: str, edition: int) -> None:
+    """Give a table that has just been laid the cloth and the laws that it had in an edition."""
+    if edition <= 2 and key in SECOND_TABLES:
+        table = SECOND_TABLES[key]
+        world.cloth, world.ball_law, world.cushion_law = (
+            table.cloth, table.ball_law, table.cushion_law
+        )  # fmt: skip
 
 
 def law_of(world: World) -> str:

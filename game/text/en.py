@@ -159,6 +159,7 @@ WORDS = {
     "set.cloth": "Cloth",
     "set.cloth.table": "the table's",
     "set.cloth.new": "new",
+    "set.cloth.hall": "a hall's",
     "set.cloth.worn": "worn",
     "set.cloth.humid": "humid",
     "set.law": "Laws",

@@ -42,6 +42,7 @@ WORDS = {
     "finish.extra_3c": "One more off 3 cushions",
     "cloth.table": "the table's own",
     "cloth.new": "new",
+    "cloth.hall": "a hall's",
     "cloth.worn": "worn",
     "cloth.humid": "humid",
     "law.table": "the table's own",

@@ -159,6 +159,7 @@ WORDS = {
     "set.cloth": "천 상태",
     "set.cloth.table": "기본",
     "set.cloth.new": "새 천",
+    "set.cloth.hall": "당구장 천",
     "set.cloth.worn": "낡은 천",
     "set.cloth.humid": "습한 천",
     "set.law": "법칙",

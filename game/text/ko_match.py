@@ -42,6 +42,7 @@ WORDS = {
     "finish.extra_3c": "점수 후 3쿠션 1개",
     "cloth.table": "당구대 그대로",
     "cloth.new": "새 천",
+    "cloth.hall": "당구장 천",
     "cloth.worn": "낡은 천",
     "cloth.humid": "습한 천",
     "law.table": "당구대 그대로",

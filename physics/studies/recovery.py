@@ -84,7 +84,8 @@ def recover(
     cushion nor ball: a misfit far above the noise of the samples shows that there was. The spin
     about the vertical bends no path and cannot be seen. Where sliding and then rolling does not fit
     clearly better than one of them alone, that is returned: so a slip u too short-lived to show in
-    the samples is taken for none, and the velocity is then wrong by 2/7 of it.
+    the samples is taken for none, and the velocity is then wrong by 2/7 of it. If the cloth has
+    bands, `roll` is taken to hold at all speeds.
 
     ValueError for too few samples, shapes or times that cannot be, or a cloth without friction.
     """

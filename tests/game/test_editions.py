@@ -1,5 +1,7 @@
 """Presets change from edition to edition; a record is played with those of its time."""
 
+from dataclasses import replace
+
 import pytest
 
 from game.__main__ import new_game
@@ -9,7 +11,7 @@ from game.replay.replay import headless
 from game.session.action import Action
 from game.session.commands import perform
 from game.table import presets
-from physics import Cloth, Shot, laws, simulate
+from physics import Cloth, Shot, laws, simulate, tables
 from tests.support.records import OPTIONS, lines, rewritten
 
 BEFORE = Cloth(slide=0.15, roll=0.005, spin_decay=5.0, gravity=9.81)
@@ -38,7 +40,7 @@ def of_the_first(found):
 
 
 def test_a_record_says_its_edition_and_comes_out_the_same(record):
-    assert lines(record)[0]["edition"] == presets.EDITION == 2
+    assert lines(record)[0]["edition"] == presets.EDITION == 3
     played = read(str(record), OPTIONS)
     assert headless(played, new_game(played.setup)).state == "same"
 
@@ -76,11 +78,11 @@ def test_the_two_editions_differ_where_they_should(record, tmp_path):
         games.append(new_game(played.setup))
         headless(played, games[-1])
     assert digest(games[0]) != digest(games[1])
-    assert [session.edition for session in games] == [2, 1]
+    assert [session.edition for session in games] == [3, 1]
 
 
 def test_an_edition_that_is_not_known_is_refused_by_its_number(record, tmp_path):
-    for strange in (3, "2", [1]):
+    for strange in (4, "2", [1]):
 
         def change(found, strange=strange):
             found[0]["edition"] = strange
@@ -90,11 +92,39 @@ def test_an_edition_that_is_not_known_is_refused_by_its_number(record, tmp_path)
 
 
 def test_the_command_line_s_cloth_and_law_are_of_the_record_s_edition():
-    from dataclasses import replace
-
     old = new_game(replace(OPTIONS, edition=1, cloth="new", law="mathavan"))
     assert old.world.cloth == BEFORE
     assert old.world.cushion_law.slide == 0.212
     now = new_game(replace(OPTIONS, cloth="new", law="mathavan"))
     assert now.world.cloth.roll < old.came_with.cloth.roll
     assert now.world.cushion_law.slide is None
+
+
+def on_the_match_table(edition):
+    return new_game(replace(OPTIONS, edition=edition, table="match"))
+
+
+@pytest.mark.parametrize("edition", [1, 2])
+def test_a_record_of_before_has_the_match_table_of_before(edition):
+    for session in (on_the_match_table(edition), new_game(replace(OPTIONS, edition=edition))):
+        perform(session, Action("table", "match"))
+        world = session.world
+        assert (world.cloth, world.ball_law, world.cushion_law) == (
+            tables.MATCH_CAROM.cloth, tables.MATCH_CAROM.ball_law, tables.MATCH_CAROM.cushion_law
+        )  # fmt: skip
+        perform(session, Action("cloth", "worn"))
+        assert world.cloth == tables.CLOTH_EDITIONS[1]["worn"]
+        perform(session, Action("law", "thesis"))
+        perform(session, Action("law", "rigid"))
+        assert world.cushion_law == tables.MATCH_CAROM.cushion_law
+
+
+def test_a_new_game_has_the_match_table_that_is_nearest_to_real_strokes():
+    session = on_the_match_table(presets.EDITION)
+    assert session.world.cloth == tables.MATCH_CAROM_2.cloth
+    assert session.world.cushion_law == tables.MATCH_CAROM_2.cushion_law
+    perform(session, Action("cloth", "hall"))
+    assert session.world.cloth == tables.CLOTHS["hall"]
+    perform(session, Action("law", "thesis"))
+    perform(session, Action("law", "rigid"))
+    assert session.world.cushion_law == tables.MATCH_CAROM_2.cushion_law

@@ -156,7 +156,7 @@ def test_the_first_contact_may_be_the_foul():
 def test_in_three_cushion_the_path_ends_with_the_second_ball():
     session = Session(table_world("match"))
     perform(session, Action("match", Terms("three-cushion", table="match").line()))
-    for angle in range(0, 360, 5):
+    for angle in range(360):
         perform(session, Action("set", f"speed 5 side 2 angle {angle}"))
         seen = session.preview
         own = [pair for pair in shown(seen) if "white" in pair]

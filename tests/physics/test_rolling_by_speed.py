@@ -20,6 +20,7 @@ from physics import (
     store,
     tables,
 )
+from tests.physics import test_sensitivity_by as by_inputs
 from tests.support import fifty
 
 A, B = 0.0402, 0.0125  # m/s² and 1/s: as measured (docs/accuracy.md)
@@ -119,27 +120,15 @@ def test_fifty_digits_have_the_same_events_and_places():
         assert abs(complex(*ball.position) - complex(exact)) < 1e-11
 
 
-@pytest.mark.parametrize("name", ["speed", "angle", "cloth.roll", "cloth.slide", "cushion.e"])
-def test_slopes_agree_with_differences(name):
-    world, shot = carom(), Shot(2.0, 33.0, 0.5, 0.3, 1.5)
-    found = sensitivity(world, "white", shot, [name])
-    assert any(slope.event.kind == "slow" for slope in found.events)
-    h, ends = 1e-6, []
-    for sign in (-1, 1):
-        other, change = carom(), sign * h
-        part, _, key = name.partition(".")
-        mine = shot
-        if not key:
-            mine = Shot(**{"speed": 2.0, "angle": 33.0, "follow": 0.5, "masse": 0.3, "side": 1.5}
-                        | {part: getattr(shot, part) + change})  # fmt: skip
-        elif part == "cloth":
-            other.cloth = replace(CLOTH, **{key: getattr(CLOTH, key) + change})
-        else:
-            law = other.cushion_law
-            other.cushion_law = replace(law, **{key: getattr(law, key) + change})
-        after = simulate(other, "white", mine)
-        ends.append(np.array([ball.position for ball in after.balls]))
-    assert found.rest[..., 0] == pytest.approx((ends[1] - ends[0]) / (2 * h), rel=1e-4, abs=1e-5)
+def test_every_input_has_eleven_digits_of_its_derivative():
+    """Against central differences in 50 digits, through the ends of bands as well."""
+    world = by_inputs.carom(*by_inputs.SLOPING)
+    world.cloth = CLOTH
+    found = sensitivity(world, "white", by_inputs.SHOT, by_inputs.ALL)
+    assert sum(slope.event.kind == "slow" for slope in found.events) > 5
+    exact = by_inputs.central_differences(world, by_inputs.SHOT, found.by)
+    size = np.abs(exact).max(axis=(0, 1))
+    assert (np.abs(found.rest - exact).max(axis=(0, 1)) < 1e-11 * np.maximum(size, 1e-3)).all()
 
 
 def test_every_joule_is_in_the_ledger():

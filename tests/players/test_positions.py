@@ -71,7 +71,7 @@ def test_a_ball_whose_spot_is_covered_goes_to_the_next_free_one() -> None:
 @pytest.mark.parametrize("position", [*SHELF, *OPENINGS], ids=lambda p: f"{p.game}-{p.key}")
 def test_the_answer_of_a_position_scores_the_way_it_says(position: Position) -> None:
     four = position.game == SAGU
-    table = tables.MEDIUM_CAROM if four else tables.MATCH_CAROM
+    table = tables.MEDIUM_CAROM if four else tables.MATCH_CAROM_2
     world = table.world()
     for name, at in position.on(table.length, table.width).items():
         world.add(Ball(name, at=at, radius=table.radius, mass=table.mass))
