@@ -20,38 +20,38 @@ from .overlap import bring, catch_up, contacts, end_phase, kept, launch, mark, t
 HALVINGS = 50  # of a step: to the last digits of the time of contact
 
 
-class Motion(NamedTuple):
+class Variables(NamedTuple):
     """Where a ball is, how fast, and at what velocity it would roll; or how fast these change."""
 
     position: complex
     velocity: complex
     roll: complex
 
-    def plus(self, h: float, rate: "Motion") -> "Motion":
+    def plus(self, h: float, rate: "Variables") -> "Variables":
         """The motion h seconds on, at this rate of change."""
-        return Motion(
+        return Variables(
             self.position + h * rate.position,
             self.velocity + h * rate.velocity,
             self.roll + h * rate.roll,
         )
 
 
-Rate = Callable[[Motion], Motion]
-Integrator = Callable[[Motion, float, Rate], Motion]
+Rate = Callable[[Variables], Variables]
+Integrator = Callable[[Variables, float, Rate], Variables]
 
 
-def friction(cloth: Any, now: Motion) -> Motion:
+def friction(cloth: Any, now: Variables) -> Variables:
     """The rate of change of a ball's motion on the cloth."""
     phase, a, _ = motion(now.velocity, now.roll, cloth)
-    return Motion(now.velocity, a, a if phase == ROLLING else -2.5 * a)
+    return Variables(now.velocity, a, a if phase == ROLLING else -2.5 * a)
 
 
-def euler(now: Motion, h: float, rate: Rate) -> Motion:
+def euler(now: Variables, h: float, rate: Rate) -> Variables:
     """One step with the rate at its start: order 1."""
     return now.plus(h, rate(now))
 
 
-def rk4(now: Motion, h: float, rate: Rate) -> Motion:
+def rk4(now: Variables, h: float, rate: Rate) -> Variables:
     """One step with the classical four stages: order 4."""
     first = rate(now)
     second = rate(now.plus(0.5 * h, first))
@@ -70,12 +70,12 @@ def start(world: Movable, disturbed: list[int]) -> None:
             mark(world, i)
 
 
-def trial(ball: Any, h: float, cloth: Any, integrator: Integrator) -> Motion:
+def trial(ball: Any, h: float, cloth: Any, integrator: Integrator) -> Variables:
     """The ball's motion h seconds after its step's start."""
     if PHASES[ball.phase].lies or h == 0.0:
-        return Motion(ball.position, ball.velocity, ball.roll)
+        return Variables(ball.position, ball.velocity, ball.roll)
     rate = partial(friction, cloth)
-    return integrator(Motion(ball.position, ball.velocity, ball.roll), h, rate)
+    return integrator(Variables(ball.position, ball.velocity, ball.roll), h, rate)
 
 
 def move(world: Movable, time: float, integrator: Integrator) -> None:

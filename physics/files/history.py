@@ -26,7 +26,7 @@ EVENTS = {kind.name: number for number, kind in enumerate(KINDS)}
 PAIRS = ("position", "velocity", "acceleration", "roll")  # of a leg: complex numbers
 
 
-class Scene(NamedTuple):
+class Played(NamedTuple):
     """A world and what was played in it; all but the world may be None.
 
     world: as it was before the shot.
@@ -43,13 +43,13 @@ class Scene(NamedTuple):
     shots: npt.NDArray[np.float64] | None = None
 
     @classmethod
-    def played(cls, world: World, ball: Ball | str, shot: Shot) -> Scene:
+    def of(cls, world: World, ball: Ball | str, shot: Shot) -> Played:
         """The scene of that shot, with its log; the world stays as it is."""
         after = simulate(world, ball, shot)
         return cls(world.copy(), world.ball(ball).name, shot, after.log)
 
     @classmethod
-    def batch(cls, world: World, ball: Ball | str, shots: Any, outcomes: Outcomes) -> Scene:
+    def batch(cls, world: World, ball: Ball | str, shots: Any, outcomes: Outcomes) -> Played:
         """The scene of a batch: shots and outcomes as `simulate_many` takes and returns them."""
         rows = [
             [getattr(shot, name) for name in Shot.__slots__] if isinstance(shot, Shot) else shot
@@ -68,7 +68,7 @@ class Scene(NamedTuple):
         parts = [f"{self.shot!r} at {self.ball}" if self.shot else "no shot"]
         parts += [f"{part!r}" for part in (self.log,) if part is not None]
         parts += [f"{len(self.outcomes.times)} outcomes"] if self.outcomes is not None else []
-        return f"<Scene of {len(self.world.balls)} balls: {', '.join(parts)}>"
+        return f"<Played with {len(self.world.balls)} balls: {', '.join(parts)}>"
 
 
 # -- the log ---------------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ from physics import (
     simulate,
     tables,
 )
-from physics.engines.naive import Motion, euler, rk4
+from physics.engines.naive import Variables, euler, rk4
 from tests.support.convergence import contact_error, order, place_error, slope
 
 R = tables.THESIS.radius
@@ -337,11 +337,11 @@ def test_runge_kutta_is_exact_while_a_ball_slides(scheme):
 def test_the_integrators_have_the_order_that_they_claim(method, claim):
     """On a force that bends: a ball on a spring, for a second."""
 
-    def spring(now: Motion) -> Motion:
-        return Motion(now.velocity, -now.position, 0j)
+    def spring(now: Variables) -> Variables:
+        return Variables(now.velocity, -now.position, 0j)
 
     def error(steps: int) -> float:
-        now = Motion(1 + 0j, 0j, 0j)
+        now = Variables(1 + 0j, 0j, 0j)
         for _ in range(steps):
             now = method(now, 1.0 / steps, spring)
         return abs(now.position - cos(1.0))
