@@ -17,6 +17,8 @@ from physics import (
     tables,
 )
 from physics.__main__ import main
+from physics.files.history import array_data, array_of
+from physics.files.node import Node
 
 SHOT = Shot(3.0, 1.0, follow=1.5, side=0.5)
 
@@ -79,6 +81,18 @@ def test_a_scene_keeps_the_outcomes_of_a_batch_and_its_shots():
             assert np.array_equal(kept, values, equal_nan=kept.dtype.kind == "f")
         else:
             assert kept == values
+
+
+def test_records_come_back_with_their_type():
+    kind = np.dtype([("kind", "u1"), ("again", "?"), ("first", "i2"), ("time", "f8")], align=True)
+    records = np.array([[(1, True, -3, 0.1), (2, False, 7, 1e-300)]], kind)
+    text = json.dumps(array_data(records))
+    again = array_of(Node(json.loads(text), "contacts"))
+    assert again.dtype == kind
+    assert (again == records).all()
+    for wrong in ([["kind", "O"]], [["kind"]], "V2", 3):
+        with pytest.raises(ValueError, match=r"^contacts: "):
+            array_of(Node({**json.loads(text), "type": wrong}, "contacts"))
 
 
 def test_a_log_of_another_world_is_refused():
