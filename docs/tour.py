@@ -2,7 +2,18 @@
 
 from math import hypot
 
-from physics import Ball, Shot, TimeStepping, Wall, simulate, simulate_many, tables, trace
+from physics import (
+    Ball,
+    Shot,
+    TimeStepping,
+    Wall,
+    aim,
+    ledger,
+    simulate,
+    simulate_many,
+    tables,
+    trace,
+)
 
 world = tables.medium_carom()  # table, cloth, laws and coefficients in one preset
 white = world.add(Ball("white", at=(-0.6, 0.0)))  # one line a ball
@@ -45,6 +56,14 @@ world = tables.medium_carom()
 white, red = world.add(Ball("white", at=(-0.6, 0.0))), world.add(Ball("red", at=(0.6, 0.01)))
 many = simulate_many(world, white, [Shot(3.0, angle=0.36 * k) for k in range(1000)])
 assert many.positions.shape == (1000, 2, 2)
+
+# aim, play, ask: cut the red by 30 degrees to the player's left
+half = aim.at(world, "white", "red", cut=30.0)
+after = simulate(world, white, half.shot(2.0, follow=2.0))
+hit = after.log.first("ball", "white", "red")
+print(f"{half.eighths:.0f}/8 thick; the red leaves at {hit.after['red'].heading:.1f}°, not at"
+      f" {half.line:.1f}°; the cloth takes {ledger(after.log).lost()['cloth']:.3f} J")  # fmt: skip
+assert half.refined(world, Shot(2.0, follow=2.0)).angle < half.angle  # throw is made up for
 
 times, paths = trace(exact, rate=60)  # for plots: (frames, balls, 2), metres
 assert paths.shape == (len(times), 2, 2)

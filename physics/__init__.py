@@ -10,7 +10,6 @@ from .log import Contact, Event, Leg, Log, State
 from .post import Pocket, Post
 from .shot import Shot, direction, heading
 from .simulation import simulate
-from .studies.trace import heights, trace
 from .wall import Wall
 from .world import World
 
@@ -29,6 +28,7 @@ if TYPE_CHECKING:
     from .studies.ledger import Ledger, ledger
     from .studies.recovery import Recovered, recover
     from .studies.sensitivity import Sensitivity, sensitivity
+    from .studies.trace import heights, trace
     from .studies.tracks import Track
     from .watch import EnergyGainWarning
 
@@ -48,6 +48,7 @@ HOMES = {
     "columns": "studies.frames", "to_pandas": "studies.frames", "to_xarray": "studies.frames",
     "Animation": "studies.animation", "animate": "studies.animation",
     "Ledger": "studies.ledger", "ledger": "studies.ledger", "Track": "studies.tracks",
+    "heights": "studies.trace", "trace": "studies.trace",
     "TimeStepping": "engines.stepping", "EnergyGainWarning": "watch",
 }  # fmt: skip
 

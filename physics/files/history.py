@@ -26,7 +26,7 @@ EVENTS = {kind.name: number for number, kind in enumerate(KINDS)}
 PAIRS = ("position", "velocity", "acceleration", "roll")  # of a leg: complex numbers
 
 
-class Scene(NamedTuple):
+class Played(NamedTuple):
     """A world and what was played in it; all but the world may be None.
 
     world: as it was before the shot.
@@ -43,13 +43,13 @@ class Scene(NamedTuple):
     shots: npt.NDArray[np.float64] | None = None
 
     @classmethod
-    def played(cls, world: World, ball: Ball | str, shot: Shot) -> Scene:
+    def of(cls, world: World, ball: Ball | str, shot: Shot) -> Played:
         """The scene of that shot, with its log; the world stays as it is."""
         after = simulate(world, ball, shot)
         return cls(world.copy(), world.ball(ball).name, shot, after.log)
 
     @classmethod
-    def batch(cls, world: World, ball: Ball | str, shots: Any, outcomes: Outcomes) -> Scene:
+    def batch(cls, world: World, ball: Ball | str, shots: Any, outcomes: Outcomes) -> Played:
         """The scene of a batch: shots and outcomes as `simulate_many` takes and returns them."""
         rows = [
             [getattr(shot, name) for name in Shot.__slots__] if isinstance(shot, Shot) else shot
@@ -68,7 +68,7 @@ class Scene(NamedTuple):
         parts = [f"{self.shot!r} at {self.ball}" if self.shot else "no shot"]
         parts += [f"{part!r}" for part in (self.log,) if part is not None]
         parts += [f"{len(self.outcomes.times)} outcomes"] if self.outcomes is not None else []
-        return f"<Scene of {len(self.world.balls)} balls: {', '.join(parts)}>"
+        return f"<Played with {len(self.world.balls)} balls: {', '.join(parts)}>"
 
 
 # -- the log ---------------------------------------------------------------------------------------
@@ -186,47 +186,55 @@ def _index(node: Node, count: int) -> int:
 
 
 def outcomes_data(outcomes: Outcomes) -> Data:
-    """Its arrays; what is no number is null."""
+    """Its arrays."""
     return {
-        name: {"type": _type(value), "shape": value.shape, "data": _values(value)}
-        if hasattr(value, "dtype") else [*value]
+        name: array_data(value) if hasattr(value, "dtype") else [*value]
         for name, value in outcomes._asdict().items()
-    }  # fmt: skip
+    }
 
 
-def _type(values: Any) -> Any:
-    return values.dtype.descr if values.dtype.names else values.dtype.str
-
-
-def _values(values: Any) -> list[Any]:
+def array_data(values: Any) -> Data:
+    """An array of numbers or of records of them; what is no number is null."""
+    kind = values.dtype
+    fields = [[name, kind.fields[name][0].str] for name in kind.names or ()]
     flat = values.ravel().tolist()
-    return [None if isinstance(x, float) and not isfinite(x) else x for x in flat]
+    numbers = [None if isinstance(x, float) and not isfinite(x) else x for x in flat]
+    return {"type": fields or kind.str, "shape": values.shape, "data": numbers}
 
 
 def outcomes_of(node: Node) -> Outcomes:
     """The inverse of `outcomes_data`."""
-    made = {name: _field(node[name]) for name in Outcomes._fields}
+    parts = {name: node[name] for name in Outcomes._fields}
+    made: dict[str, Any] = {
+        name: tuple(part.value) if isinstance(part.value, list) else array_of(part)
+        for name, part in parts.items()
+    }
     if len({len(made[name]) for name in ("positions", "times", "events")}) != 1:
         raise ValueError(f"{node.where}: positions, times and events must be of as many shots")
     return Outcomes(**made)
 
 
-def _field(node: Node) -> Any:
+def array_of(node: Node) -> npt.NDArray[Any]:
+    """The inverse of `array_data`."""
     import numpy as np
 
-    if isinstance(node.value, list):
-        return tuple(node.value)
     kind, data = node["type"].value, node["data"].items()
     try:
-        kinds = [(name, np.dtype(each)) for name, each in kind] if isinstance(kind, list) else []
-        for each in [dtype for _, dtype in kinds] or [np.dtype(kind)]:
-            if each.kind not in "iufb" and each.names is None:
-                raise ValueError(f"{each!r} is no type of numbers")
-        if kinds:
-            flat = np.array([tuple(one.value) for one in data], np.dtype(kinds, align=True))
+        fields = [(name, _numeric(each)) for name, each in kind] if isinstance(kind, list) else []
+        if fields:
+            flat = np.array([tuple(one.value) for one in data], np.dtype(fields, align=True))
         else:
             numbers = [nan if one.value is None else one.value for one in data]
-            flat = np.array(numbers, np.dtype(kind))
+            flat = np.array(numbers, _numeric(kind))
         return flat.reshape([int(one.number()) for one in node["shape"].items()])
     except (ValueError, TypeError) as error:
         raise ValueError(f"{node.where}: {error}") from None
+
+
+def _numeric(kind: Any) -> np.dtype[Any]:
+    import numpy as np
+
+    found: np.dtype[Any] = np.dtype(kind)
+    if found.kind not in "iufb":
+        raise ValueError(f"{found!r} is no type of numbers")
+    return found

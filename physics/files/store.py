@@ -22,7 +22,7 @@ from physics.shot import Shot
 from physics.wall import Obstacle, Point, Wall
 from physics.world import World
 
-from .history import Scene, log_data, log_of, outcomes_data, outcomes_of
+from .history import Played, log_data, log_of, outcomes_data, outcomes_of
 from .node import Node
 from .record import (
     COMPLEX,
@@ -38,30 +38,30 @@ from .record import (
     world_data,
 )
 
-__all__ = ["Scene", "dumps", "load", "loads", "restore", "save"]
+__all__ = ["Played", "dumps", "load", "loads", "restore", "save"]
 
 NUMBERS = {name: number for number, name in PHASE_NAMES.items()}
 
 
-def dumps(thing: World | Shot | Scene) -> str:
+def dumps(thing: World | Shot | Played) -> str:
     """The world, the shot or the scene as JSON text; a world alone without its log.
 
     ValueError for a custom table, law or engine, which no file can hold, and for a scene whose log
     is of another world.
     """
-    if isinstance(thing, Scene):
-        return _scene_text(thing)
+    if isinstance(thing, Played):
+        return _played_text(thing)
     if isinstance(thing, Shot):
         data = shot_data(thing)
     elif not isinstance(thing, World):
-        raise ValueError(f"only a World, a Shot or a Scene can be saved, not {thing!r}")
+        raise ValueError(f"only a World, a Shot or what was Played can be saved, not {thing!r}")
     else:
         insist_on_names(thing)
         data = world_data(thing)
     return json.dumps(data, indent=1, allow_nan=False) + "\n"
 
 
-def _scene_text(scene: Scene) -> str:
+def _played_text(scene: Played) -> str:
     """Its parts, the long ones each on a line of its own."""
     insist_on_names(scene.world)
     parts: Data = {"danggu": "scene", "version": VERSION, "world": world_data(scene.world)}
@@ -79,7 +79,7 @@ def _scene_text(scene: Scene) -> str:
     return "".join([lines, *more, "\n}\n"])
 
 
-def loads(text: str) -> World | Shot | Scene:
+def loads(text: str) -> World | Shot | Played:
     """The inverse of `dumps`; ValueError, saying what is wrong and where, for any other text."""
     try:
         data = json.loads(text)
@@ -90,7 +90,7 @@ def loads(text: str) -> World | Shot | Scene:
     return restore(data)
 
 
-def save(thing: World | Shot | Scene, path: str | os.PathLike[str]) -> None:
+def save(thing: World | Shot | Played, path: str | os.PathLike[str]) -> None:
     """Write `dumps` to a file, all of it or nothing; OSError where that is impossible.
 
     A file that is there already must be a regular one, or a link to one, which stays a link.
@@ -98,7 +98,7 @@ def save(thing: World | Shot | Scene, path: str | os.PathLike[str]) -> None:
     whole_files.replace(path, dumps(thing).encode())
 
 
-def load(path: str | os.PathLike[str]) -> World | Shot | Scene:
+def load(path: str | os.PathLike[str]) -> World | Shot | Played:
     """The inverse of `save`; ValueError, naming the file, what is wrong and where."""
     try:
         return loads(Path(path).read_text(encoding="utf-8"))
@@ -106,7 +106,7 @@ def load(path: str | os.PathLike[str]) -> World | Shot | Scene:
         raise ValueError(f"{os.fspath(path)}: {error}") from None
 
 
-def restore(data: Any) -> World | Shot | Scene:
+def restore(data: Any) -> World | Shot | Played:
     """A world, a shot or a scene from plain data, such as `EventBudgetError.scene`."""
     node = Node(data, "")
     kind = node["danggu"].text()
@@ -126,7 +126,7 @@ def restore(data: Any) -> World | Shot | Scene:
     return _world(node)
 
 
-def _scene(node: Node) -> Scene:
+def _scene(node: Node) -> Played:
     world, shot, log, outcomes, shots = _world(node["world"]), None, None, None, None
     ball = None
     if "shot" in node.value:
@@ -138,7 +138,7 @@ def _scene(node: Node) -> Scene:
         outcomes = outcomes_of(node["outcomes"])
     if "shots" in node.value:
         shots = array("shots", node["shots"].value)
-    return Scene(world, ball, shot, log, outcomes, shots)
+    return Played(world, ball, shot, log, outcomes, shots)
 
 
 def _unequal(node: "Node") -> bool:

@@ -17,6 +17,8 @@ from physics import (
     tables,
 )
 from physics.__main__ import main
+from physics.files.history import array_data, array_of
+from physics.files.node import Node
 
 SHOT = Shot(3.0, 1.0, follow=1.5, side=0.5)
 
@@ -40,7 +42,7 @@ MADE = {
 @pytest.mark.parametrize("name", MADE)
 def test_a_scene_comes_back_with_its_shot_and_its_whole_log(name, tmp_path):
     make, ball, shot = MADE[name]
-    scene = store.Scene.played(make(), ball, shot)
+    scene = store.Played.of(make(), ball, shot)
     store.save(scene, tmp_path / "scene.json")
     again = store.load(tmp_path / "scene.json")
     assert (again.ball, again.shot) == (ball, shot)
@@ -54,8 +56,8 @@ def test_a_scene_comes_back_with_its_shot_and_its_whole_log(name, tmp_path):
 
 
 def test_what_is_read_from_the_log_of_a_file_groups_clusters_as_before():
-    log = store.Scene.played(pool(), "white", Shot(7.0, -4.3)).log
-    again = store.loads(store.dumps(store.Scene(pool(), "white", Shot(7.0, -4.3), log))).log
+    log = store.Played.of(pool(), "white", Shot(7.0, -4.3)).log
+    again = store.loads(store.dumps(store.Played(pool(), "white", Shot(7.0, -4.3), log))).log
     assert [again.begun(k) for k in range(len(log))] == [log.begun(k) for k in range(len(log))]
     assert [*again.contacts()] == [*log.contacts()]
     shared = [raw[-1] for raw in again._events if raw[-1] is not None]
@@ -69,7 +71,7 @@ def test_a_scene_keeps_the_outcomes_of_a_batch_and_its_shots():
     world.add(Ball("white", at=(-0.3, 0.1)))
     shots.append(Shot(3.0, 43.0))
     outcomes = simulate_many(world, "white", shots, compiled=False)
-    scene = store.Scene.batch(world, "white", shots, outcomes)
+    scene = store.Played.batch(world, "white", shots, outcomes)
     again = store.loads(store.dumps(scene))
     assert again.shots[:, 1].tolist() == [shot.angle for shot in shots]
     for name, values in outcomes._asdict().items():
@@ -81,10 +83,22 @@ def test_a_scene_keeps_the_outcomes_of_a_batch_and_its_shots():
             assert kept == values
 
 
+def test_records_come_back_with_their_type():
+    kind = np.dtype([("kind", "u1"), ("again", "?"), ("first", "i2"), ("time", "f8")], align=True)
+    records = np.array([[(1, True, -3, 0.1), (2, False, 7, 1e-300)]], kind)
+    text = json.dumps(array_data(records))
+    again = array_of(Node(json.loads(text), "contacts"))
+    assert again.dtype == kind
+    assert (again == records).all()
+    for wrong in ([["kind", "O"]], [["kind"]], "V2", 3):
+        with pytest.raises(ValueError, match=r"^contacts: "):
+            array_of(Node({**json.loads(text), "type": wrong}, "contacts"))
+
+
 def test_a_log_of_another_world_is_refused():
     log = simulate(scenes.carom(), "white", SHOT).log
     with pytest.raises(ValueError, match="must be of its world"):
-        store.dumps(store.Scene(scenes.single(), log=log))
+        store.dumps(store.Played(scenes.single(), log=log))
 
 
 def change(data, *path):
@@ -113,7 +127,7 @@ def change(data, *path):
      (("danggu", "scenery"), '"world", "shot" or "scene"')],
 )  # fmt: skip
 def test_a_scene_that_cannot_be_read_says_where(path, words):
-    data = json.loads(store.dumps(store.Scene.played(scenes.carom(), "white", SHOT)))
+    data = json.loads(store.dumps(store.Played.of(scenes.carom(), "white", SHOT)))
     with pytest.raises(ValueError, match=words):
         store.loads(change(data, *path))
 
@@ -121,7 +135,7 @@ def test_a_scene_that_cannot_be_read_says_where(path, words):
 def test_outcomes_that_cannot_be_read_say_where():
     world = scenes.carom()
     outcomes = simulate_many(world, "white", [SHOT], compiled=False)
-    text = store.dumps(store.Scene.batch(world, "white", [SHOT], outcomes))
+    text = store.dumps(store.Played.batch(world, "white", [SHOT], outcomes))
     for path in (("times", "type", "O"), ("times", "shape", [7]), ("times", "data", ["a"])):
         with pytest.raises(ValueError, match=r"^outcomes\.times"):
             store.loads(change(json.loads(text), "outcomes", *path))
@@ -129,7 +143,7 @@ def test_outcomes_that_cannot_be_read_say_where():
 
 def test_the_command_line_plays_a_scene_from_its_file(tmp_path, capsys):
     after = simulate(scenes.carom(), "white", SHOT)
-    store.save(store.Scene.played(scenes.carom(), "white", SHOT), tmp_path / "my.json")
+    store.save(store.Played.of(scenes.carom(), "white", SHOT), tmp_path / "my.json")
     assert main(["scene", str(tmp_path / "my.json")]) == 0
     said = capsys.readouterr().out
     assert f"{len(after.log)} events in {after.time:.4f} s, exact engine" in said
@@ -154,13 +168,13 @@ def test_the_command_line_says_which_files_hold_no_scene(tmp_path, capsys):
 
 def test_a_picture_of_a_scene_in_a_file_is_drawn(tmp_path):
     pytest.importorskip("matplotlib")
-    store.save(store.Scene.played(scenes.carom(), "white", SHOT), tmp_path / "my.json")
+    store.save(store.Played.of(scenes.carom(), "white", SHOT), tmp_path / "my.json")
     assert main(["scene", str(tmp_path / "my.json"), "--png", str(tmp_path / "my.png")]) == 0
     assert (tmp_path / "my.png").stat().st_size > 10_000
 
 
 def test_a_scene_says_shortly_what_is_in_it():
-    scene = store.Scene.played(scenes.carom(), "white", Shot(3.0))
-    count = len(scene.log)
-    assert repr(scene) == f"<Scene of 4 balls: Shot(speed=3.0) at white, <Log of {count} events>>"
+    scene = store.Played.of(scenes.carom(), "white", Shot(3.0))
+    said = f"Shot(speed=3.0) at white, <Log of {len(scene.log)} events>"
+    assert repr(scene) == f"<Played with 4 balls: {said}>"
     assert sensitivity(scene.world, scene.ball, scene.shot).events[0].event == scene.log[0]

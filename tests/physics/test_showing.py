@@ -180,7 +180,7 @@ def test_whatever_a_session_shows_is_short(after):
     things += [tables.pool_9ft().table, CueStroke(3.0, side=0.1), after.log.legs("white")[0]]
     times, paths = trace(after, times=np.arange(0.0, 0.2, 0.02))
     things += [recover(times, paths[:, 0], after.cloth), Track(times, paths, name="one")]
-    things += [ledger(after.log)[0], store.Scene.played(scenes.carom(), "white", Shot(2.0))]
+    things += [ledger(after.log)[0], store.Played.of(scenes.carom(), "white", Shot(2.0))]
     things += [after.balls[0], after.log[0], after.log.at([0.0, 1.0])["red"]]
     assert [repr(thing) for thing in things if len(repr(thing)) > 120] == []
     assert repr(CueStroke(3.0, side=0.1)) == "CueStroke(speed=3.0, side=0.1)"
