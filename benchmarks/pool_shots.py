@@ -1,62 +1,35 @@
-"""A nine-foot pool table: segments with facings, six holes, and balls to break or to play."""
+"""A nine-foot pool table, and balls to break or to play."""
 
-from math import sqrt
 from random import Random
 
-from physics import Ball, Pocket, Shot, Wall, World, direction, laws, tables
+from physics import Ball, Shot, World, laws, tables
+from physics.tables.pocket_tables import CORNER as CORNERS
+from physics.tables.pocket_tables import SIDE as SIDES
 
-INCH = 0.0254
-X, Y = 50.0 * INCH, 25.0 * INCH
-RADIUS, MASS = 1.125 * INCH, 0.17
-CORNER, SIDE = 4.5625 * INCH, 5.0625 * INCH  # between the points where rails turn into facings
-FACING = 0.11  # m long
+TABLE = tables.pool(9)
+X, Y, RADIUS = 0.5 * TABLE.length, 0.5 * TABLE.width, TABLE.radius
+CORNER, SIDE = CORNERS.width, SIDES.width  # between the points where rails turn into facings
 SHOT = Shot(2.5, 27.0, follow=0.5, side=0.5)
 BREAK = Shot(9.0, 0.3)
 
 
 def table(cushion: laws.CushionLaw | None = None) -> World:
-    """An empty table: middle of the tolerances, points as noses."""
-    world = World(
-        tables.MEASURED, laws.RoughBall(), cushion or laws.RigidCushion(0.85, 0.2, nose=1.27)
-    )
-    corner, side = CORNER / sqrt(2.0), 0.5 * SIDE
-    for s in (1, -1):  # and its image, turned by half a turn
-        for p, q, first, last in (
-            (complex(corner - X, -Y), complex(-side, -Y), 38.0, 76.0),
-            (complex(side, -Y), complex(X - corner, -Y), 76.0, 38.0),
-            (complex(X, corner - Y), complex(X, Y - corner), 38.0, 38.0),
-        ):
-            along = s * (q - p) / abs(q - p)
-            segment(world, s * p - FACING * along * direction(first), s * p)
-            segment(world, s * p, s * q)
-            segment(world, s * q, s * q + FACING * along * direction(-last))
-        for k, x in enumerate((X - 0.5 * corner, 0.5 * corner - X)):
-            out = complex(1 - 2 * k, 1) / sqrt(2.0)
-            hole(world, s * (complex(x, Y - 0.5 * corner) + 4.25 * INCH * out), 2.75 * INCH)
-        hole(world, s * complex(0.0, Y + 3.1875 * INCH), 3.0 * INCH)
+    """An empty table."""
+    world = TABLE.world()
+    world.cushion_law = cushion or world.cushion_law
     return world
 
 
-def segment(world: World, p: complex, q: complex) -> None:
-    world.add(Wall.segment((p.real, p.imag), (q.real, q.imag), f"wall {len(world.walls)}"))
-
-
-def hole(world: World, at: complex, radius: float) -> None:
-    world.add(Pocket((at.real, at.imag), radius, f"hole {len(world.walls)}"))
-
-
 def put(world: World, name: str, x: float, y: float) -> None:
-    world.add(Ball(name, (x, y), radius=RADIUS, mass=MASS))
+    world.add(Ball(name, (x, y)))
 
 
 def rack(gap: float = 1e-5) -> World:
-    """Sixteen balls before the break."""
+    """Ten balls before the break of 9-ball."""
     world = table()
     put(world, "cue", -0.5 * X, 0.012)
-    pitch = 2.0 * RADIUS + gap
-    for row in range(5):
-        for k in range(row + 1):
-            put(world, f"{row} {k}", 0.5 * X + row * pitch * 0.75**0.5, pitch * (k - 0.5 * row))
+    for ball in TABLE.rack("9-ball", gap=gap):
+        world.add(ball)
     return world
 
 

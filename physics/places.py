@@ -7,7 +7,7 @@ from operator import itemgetter
 from .ball import Ball
 from .kernel.body import Rule
 from .kernel.motion import length
-from .kernel.obstacle import clearance, nose
+from .kernel.obstacle import Shape, clearance, nose
 from .laws import cushion_rule
 from .wall import Obstacle
 
@@ -35,6 +35,8 @@ def check_places(
     for _, x, y, _, radius, ball in spots:
         p, level = complex(x, y), ball.on_cloth
         for wall in walls if ball.put else fresh:
+            if not _beside(wall.shape, x, y, radius):
+                continue
             depth = -clearance(wall.shape, p, radius) if level else _depth(ball, wall, rule)
             if depth > slack:
                 where = "outside" if wall.kind == "line" else "in"
@@ -71,6 +73,12 @@ def _pairs(spots: list[Spot], slack: float) -> Iterator[tuple[Ball, Ball]]:
                 break
             if hypot(u - x, v - y, w - z) < r + s - slack:
                 yield ball, other
+
+
+def _beside(shape: Shape, x: float, y: float, r: float) -> bool:
+    """Do the boxes around it and a ball touch?  On a table with pockets they seldom do."""
+    across = shape.west <= x + r and shape.east >= x - r
+    return across and shape.south <= y + r and shape.north >= y - r
 
 
 def _depth(ball: Ball, wall: Obstacle, rule: Rule) -> float:

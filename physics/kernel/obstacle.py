@@ -353,7 +353,12 @@ def pass_over(wall, ball, lasts):
 
 @kernel
 def meet_upright(wall, ball, rule, lasts):
-    """When a ball in the air hits what is round, which stands upright as high as a nose."""
+    """When a ball in the air hits what is round, which stands upright as high as a nose.
+
+    What it overlaps already it is above, having come over the top.
+    """
+    if clearance(wall, ball.position, ball.radius) < -MARGIN * ball.radius:
+        return inf
     wait = meet_round(wall, ball.position, ball.velocity, 0j, ball.radius, lasts)
     if wait >= lasts:
         return inf

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.pool_shots import INCH
 from physics import Ball, Cloth, Pocket, Wall, World, laws
+from physics.tables.pocket_tables import INCH
 
 FILE = Path(__file__).parents[1] / "data" / "pocket_windows.json"
 CASES = json.loads(FILE.read_text())["cases"]
