@@ -195,8 +195,7 @@ def _rail(world: World, name: str, ball: Ball) -> Line:
     """The line on which the ball's centre is when it touches that cushion."""
     for wall in world.walls:
         if wall.name == name and wall.kind in RAILS:
-            normal = wall.shape.normal
-            return normal, wall.shape.offset + ball.radius
+            return wall.lines(ball.radius, 0.0)[0]
     known = ", ".join(f"{wall.name}" for wall in world.walls if wall.kind in RAILS)
     raise ValueError(f"there is no straight cushion {name!r} in this world, only {known}")
 
