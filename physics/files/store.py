@@ -54,7 +54,7 @@ def dumps(thing: World | Shot | Played) -> str:
     if isinstance(thing, Shot):
         data = shot_data(thing)
     elif not isinstance(thing, World):
-        raise ValueError(f"only a World, a Shot or what was Played can be saved, not {thing!r}")
+        raise ValueError(f"only a World or a Shot, or what was Played, can be saved, not {thing!r}")
     else:
         insist_on_names(thing)
         data = world_data(thing)
