@@ -117,7 +117,7 @@ def error(found: Fates, true: Fates) -> float:
     return max((abs(p - q) for p, q in pairs if p is not None and q is not None), default=0.0)
 
 
-class Peer(NamedTuple):
+class Rival(NamedTuple):
     """Its table; and a function that plays a layout and a shot, and says where the balls rest."""
 
     name: str
@@ -125,7 +125,7 @@ class Peer(NamedTuple):
     play: Callable[[Layout, Shot], Fates]
 
 
-def compare(page: Report, peer: Peer, effort: int) -> list[list[Any]]:
+def compare(page: Report, peer: Rival, effort: int) -> list[list[Any]]:
     """The section of the page; its numbers."""
     page.say(
         "Pool on that engine's own 7-foot table with its round jaws, by the same laws: smooth balls"
@@ -145,7 +145,7 @@ def compare(page: Report, peer: Peer, effort: int) -> list[list[Any]]:
 
 
 def section(
-    name: str, peer: Peer, strokes: Sequence[tuple[Layout, Shot]], rounds: int
+    name: str, peer: Rival, strokes: Sequence[tuple[Layout, Shot]], rounds: int
 ) -> tuple[list[list[Any]], list[list[Any]]]:
     """(lines of the table, numbers)."""
     worlds = [partial(world_of, peer.geometry, *stroke) for stroke in strokes]

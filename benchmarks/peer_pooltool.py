@@ -9,8 +9,7 @@ import pooltool
 
 from physics import Cloth, Shot, World
 
-from .peer_pool import Fates, Geometry, Layout
-from .peer_pool import Peer as PoolPeer
+from .peer_pool import Fates, Geometry, Layout, Rival
 from .peers import MASS, RADIUS, Cut, Peer
 
 ROLLING, RESTING, POCKETED = 3, 0, 4
@@ -81,7 +80,7 @@ def peers() -> list[Peer]:
     return [Peer(f"pooltool {version('pooltool-billiards')}", play, cut)]
 
 
-def pool() -> PoolPeer:
+def pool() -> Rival:
     """Its own 7-foot table."""
     table = pooltool.Table.from_table_specs(pooltool.objects.PocketTableSpecs())
     params = pooltool.BallParams.default()
@@ -110,7 +109,7 @@ def pool() -> PoolPeer:
         states = [b.state for b in system.balls.values()]
         return [None if s.s == POCKETED else _flat(s.rvw[0]) for s in states]
 
-    return PoolPeer(name, geometry, play)
+    return Rival(name, geometry, play)
 
 
 def _flat(p: Any) -> complex:
