@@ -1,4 +1,5 @@
-"""The scenes in pooltool, which is exact in time too, with its own laws for cloth and cushion."""
+"""The scenes in pooltool, which is exact in time too, with its own laws for cloth and cushion; and
+pool on its table, by the laws that it shares with this package."""
 
 from collections.abc import Callable
 from importlib.metadata import version
@@ -6,11 +7,12 @@ from typing import Any
 
 import pooltool
 
-from physics import World
+from physics import Cloth, Shot, World
 
+from .peer_pool import Fates, Geometry, Layout, Rival
 from .peers import MASS, RADIUS, Cut, Peer
 
-ROLLING, RESTING = 3, 0
+ROLLING, RESTING, POCKETED = 3, 0, 4
 CENTRE = 1.5  # m: its table begins at the corner; for cuts it is made large
 
 
@@ -76,3 +78,51 @@ def cut(shot: Cut) -> complex:
 
 def peers() -> list[Peer]:
     return [Peer(f"pooltool {version('pooltool-billiards')}", play, cut)]
+
+
+def pool() -> Rival:
+    """Its own 7-foot table."""
+    table = pooltool.Table.from_table_specs(pooltool.objects.PocketTableSpecs())
+    params = pooltool.BallParams.default()
+    cushions, name = table.cushion_segments, f"pooltool {version('pooltool-billiards')}"
+    geometry = Geometry(
+        [(_flat(c.p1), _flat(c.p2)) for c in cushions.linear.values()],
+        [(_flat(c.center), float(c.radius)) for c in cushions.circular.values()],
+        [(_flat(p.center), float(p.radius)) for p in table.pockets.values()],
+        params.R, params.m, Cloth(params.u_s, params.u_r, 10.0, params.g),
+    )  # fmt: skip
+    engine = _plain_engine()
+
+    def play(layout: Layout, shot: Shot) -> Fates:
+        struck, v = layout[0][0], shot.velocity()
+        roll = shot.follow / shot.speed * v / params.R
+        spins = {struck: (-roll.imag, roll.real, 0.0)}
+        balls = {
+            name: ball(name, p, v if name == struck else 0j, spins.get(name, (0.0, 0.0, 0.0)),
+                       R=params.R, m=params.m, u_s=params.u_s, u_r=params.u_r, g=params.g, e_c=1.0)
+            for name, p in layout
+        }  # fmt: skip
+        system = pooltool.System(
+            table=table.copy(), balls=balls, cue=pooltool.Cue(cue_ball_id=struck)
+        )
+        pooltool.simulate(system, engine=engine, inplace=True)
+        states = [b.state for b in system.balls.values()]
+        return [None if s.s == POCKETED else _flat(s.rvw[0]) for s in states]
+
+    return Rival(name, geometry, play)
+
+
+def _flat(p: Any) -> complex:
+    return complex(float(p[0]), float(p[1]))
+
+
+def _plain_engine() -> Any:
+    """Its engine with mirrors as cushions."""
+    from pooltool.physics.engine import PhysicsEngine
+    from pooltool.physics.resolve.ball_cushion import unrealistic
+    from pooltool.physics.resolve.resolver import Resolver
+
+    resolver = Resolver.default()
+    resolver.ball_linear_cushion = unrealistic.UnrealisticLinear(restitution=False)
+    resolver.ball_circular_cushion = unrealistic.UnrealisticCircular(restitution=False)
+    return PhysicsEngine(resolver=resolver)

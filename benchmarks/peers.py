@@ -175,12 +175,22 @@ def main(arguments: list[str] | None = None) -> int:
         times = [duration(costs[scene][peer.name].least) for scene in costs]
         rows.append([peer.name, *times, *(map(_angle, angles) if off else "–––")])
     page.table(["engine", *costs, "error of direction, median", "worst tenth", "worst"], rows)
+    rows = pool_beside(page, effort)
     page.data(
         ["engine", "scene", "least s", "median s"],
-        [[peer.name, scene, *costs[scene][peer.name]] for scene in costs for peer in peers],
+        [[peer.name, scene, *costs[scene][peer.name]] for scene in costs for peer in peers] + rows,
     )
     page.save()
     return 0
+
+
+def pool_beside(page: Report, effort: int) -> list[list[Any]]:
+    """The section on pool, where pooltool is installed; its numbers."""
+    if not find_spec("pooltool"):
+        return []
+    from . import peer_pool, peer_pooltool
+
+    return peer_pool.compare(page, peer_pooltool.pool(), effort)
 
 
 def _angle(degree: float) -> str:
