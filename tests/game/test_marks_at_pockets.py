@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import atan2, degrees, hypot
+from types import SimpleNamespace
 
 import numpy as np
 import pygame
@@ -86,6 +87,23 @@ def test_a_regions_border_runs_where_a_ball_may_just_be(table):
             after = pixels(surface).astype(int)
             x, y = map(int, layout_of(table).to_screen(0.3 * table.length, 0.1))
             assert (after[x, y] < before[x, y]).all()
+
+
+@pytest.mark.parametrize("region", ["kitchen", "bed", "as it lies"])
+def test_a_ball_in_hand_shows_the_region_that_the_rules_give_it(region):
+    world = POOL.world()
+    world.add(Ball("cue", at=(-0.9, 0.0)))
+    session, stage = a_stage(world, (1280, 720))
+    session.arranging, session.held_ball = True, "cue"
+    session.contest = SimpleNamespace(in_hand=region, level=None)
+    surface = pygame.Surface(stage.layout.size, 0, 32)
+    stage.everything(surface, session)
+    seen, plain = pixels(surface).astype(int), pixels(stage.base).astype(int)
+    x, y = map(int, stage.layout.to_screen(0.5, 0.3))
+    dimmed = seen[x, y].sum() < 0.8 * plain[x, y].sum()
+    assert dimmed == (region == "kitchen")
+    x, y = map(int, stage.layout.to_screen(-0.8, 0.4))
+    assert (seen[x, y].sum() > plain[x, y].sum()) == (region == "kitchen")
 
 
 # -- numbers beside balls ------------------------------------------------------------------------

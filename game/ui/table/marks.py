@@ -13,12 +13,12 @@ from game.aim.preview import path
 from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts import cards
-from game.render.table import lines
+from game.render.table import hand, lines
 from game.render.table.plan import Hole
 from game.render.theme import ACCENT, LILAC, WHITE, BallLook
 from game.session.session import Session
 
-from . import preview_lines
+from . import furniture, preview_lines
 
 TAG = 16
 """How far left of and above a trace's beginning its letter stands, px at s = 1."""
@@ -64,7 +64,7 @@ def draw(
     """
     if aiming(session):
         if session.arranging:
-            return [_taken(surface, layout, session)]
+            return _taken(surface, layout, session)
         aids = "full" if computer(session) else aids
         if aids == "off":
             return []
@@ -78,11 +78,22 @@ def draw(
     return _traces(surface, layout, session, looks) if session.shown_shot else []
 
 
-def _taken(surface: pygame.Surface, layout: Layout, session: Session) -> pygame.Rect:
-    """Draw a ring around the ball in hand."""
-    ball = session.world.ball(session.held_ball)
-    centre, radius = layout.to_screen(*ball.position), 1.45 * ball.radius * layout.scale
-    return lines.ring(surface, centre, radius, ACCENT, 2.0 * layout.s, 0.95)
+def _taken(surface: pygame.Surface, layout: Layout, session: Session) -> Rects:
+    """Draw the ball in hand, and the region that it may be put into."""
+    ball, table = session.world.ball(session.held_ball), session.world.table
+    centre, radius = layout.to_screen(*ball.position), ball.radius * layout.scale
+    region = in_hand(session)
+    if not region:
+        return [lines.ring(surface, centre, 1.45 * radius, ACCENT, 2.0 * layout.s, 0.95)]
+    room = hand.region(surface, layout, table, region)
+    return [room, hand.held(surface, centre, radius, layout.s)]
+
+
+def in_hand(session: Session) -> str:
+    """The region of the table that the cue ball of a match may be put into, or ""."""
+    region: str = getattr(session.contest, "in_hand", "")
+    table = furniture.table_of(session.world)
+    return region if table is not None and region in table.regions else ""
 
 
 def computer(session: Session) -> bool:
