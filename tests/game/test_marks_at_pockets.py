@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from math import atan2, degrees, hypot
+from types import SimpleNamespace
 
 import numpy as np
 import pygame
 import pytest
 
+from danggu.rules.state import Call
 from game.aim.spread import SAMPLES, Sample, Spread
 from game.render import theme
 from game.render.font import Type
@@ -31,6 +33,7 @@ BALLS = [tags.Tag((300.0, 250.0), 9.6, "1"), tags.Tag((500.0, 260.0), 9.6, "12")
 DRAWN = {
     "corner lit": lambda s: pocket_marks.lit(s, LAYOUT, CORNER, theme.ACCENT),
     "side lit": lambda s: pocket_marks.lit(s, LAYOUT, SIDE, theme.ACCENT),
+    "called": lambda s: pocket_marks.called(s, LAYOUT, CORNER, theme.ACCENT),
     "pill": lambda s: pocket_marks.pill(s, TYPE, "84 %", (400.3, 90.0), theme.ACCENT),
     "kitchen": lambda s: hand.region(s, LAYOUT, POOL, "kitchen"),
     "bed": lambda s: hand.region(s, LAYOUT, POOL, "bed"),
@@ -86,6 +89,44 @@ def test_a_regions_border_runs_where_a_ball_may_just_be(table):
             after = pixels(surface).astype(int)
             x, y = map(int, layout_of(table).to_screen(0.3 * table.length, 0.1))
             assert (after[x, y] < before[x, y]).all()
+
+
+@pytest.mark.parametrize("region", ["kitchen", "bed", "as it lies"])
+def test_a_ball_in_hand_shows_the_region_that_the_rules_give_it(region):
+    world = POOL.world()
+    world.add(Ball("cue", at=(-0.9, 0.0)))
+    session, stage = a_stage(world, (1280, 720))
+    session.arranging, session.held_ball = True, "cue"
+    session.contest = SimpleNamespace(in_hand=region, level=None)
+    surface = pygame.Surface(stage.layout.size, 0, 32)
+    stage.everything(surface, session)
+    seen, plain = pixels(surface).astype(int), pixels(stage.base).astype(int)
+    x, y = map(int, stage.layout.to_screen(0.5, 0.3))
+    dimmed = seen[x, y].sum() < 0.8 * plain[x, y].sum()
+    assert dimmed == (region == "kitchen")
+    x, y = map(int, stage.layout.to_screen(-0.8, 0.4))
+    assert (seen[x, y].sum() > plain[x, y].sum()) == (region == "kitchen")
+
+
+def test_the_ball_and_the_pocket_that_are_called_have_rings():
+    world, _ = straight()
+    session, stage = a_stage(world, (1280, 720))
+    stage.settings.aids = "off"
+    plain = shown(session, stage)
+    call = Call("4", "south pocket")
+    session.contest = SimpleNamespace(match=SimpleNamespace(call=call), level=None, in_hand="")
+    stage.settings.aids = "off"
+    surface = pygame.Surface(stage.layout.size, 0, 32)
+    stage.everything(surface, session)
+    new = (pixels(surface) != pixels(plain)).any(axis=-1)
+    ball = world.ball("4")
+    x, y = stage.layout.to_screen(*ball.position)
+    reach = ball.radius * stage.layout.scale + 2.6
+    assert new[int(x + reach), int(y)]
+    hole = holes(world)["south pocket"]
+    x, y = stage.layout.to_screen(hole.rim.real, hole.rim.imag)
+    assert new[int(x + (hole.width + 0.5 * plan.LINER) * stage.layout.scale), int(y)]
+    assert not new[: stage.layout.table.centerx - 60].any()
 
 
 # -- numbers beside balls ------------------------------------------------------------------------

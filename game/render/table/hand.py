@@ -27,15 +27,15 @@ DASHES = (5, 4)
 def region(surface: pygame.Surface, layout: Layout, table: tables.Table, name: str) -> pygame.Rect:
     """Show where the centre of a ball in hand may be: one of `table.regions`, by its name.
 
-    The rest of the bed is dimmed, and the border is dashed; where a region ends at a line of the
-    table that line is bright. KeyError for a name that the table does not know.
+    If it is a part of the bed the rest is dimmed, and the line at which it ends is bright; the
+    border is dashed. KeyError for a name that the table does not know.
     """
     found: Any = table.regions[name]
     s = layout.s
     open_ = [layout.to_screen(*p) for p in outline(table, name)]
-    if name != "bed":
+    line = table.head_string
+    if hasattr(found, "radius") or (line is not None and found.east <= line):
         _dim(surface, layout, _lit(layout, table, found, open_))
-        line = table.head_string
         if line is not None and not hasattr(found, "radius"):
             ends = [layout.to_screen(line, sign * 0.5 * table.width) for sign in (1, -1)]
             lines.polyline(surface, ends, ACCENT, 1.6 * s, 0.95)

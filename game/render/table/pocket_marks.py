@@ -14,7 +14,7 @@ from game.render.parts import shapes
 from game.render.theme import TEXT, WHITE, Colour, mix
 
 from . import lines
-from .plan import Hole
+from .plan import LINER, Hole
 
 GLOW = 1.9
 """How far the light of a pocket reaches, in radii of its hole."""
@@ -49,6 +49,17 @@ def lit(surface: pygame.Surface, layout: Layout, hole: Hole, colour: Colour) -> 
     ring = lines.ring(surface, (x, y), radius - 0.6 * s, bright, 2.0 * s, 0.95)
     surface.set_clip(clip)
     return box.union(ring)
+
+
+def called(surface: pygame.Surface, layout: Layout, hole: Hole, colour: Colour) -> pygame.Rect:
+    """Ring the pocket that is called, on its leather: the light of `lit` stays for the preview."""
+    centre, s = layout.to_screen(hole.rim.real, hole.rim.imag), layout.s
+    radius = (hole.width + 0.5 * LINER) * layout.scale
+    clip = surface.get_clip()
+    surface.set_clip(clip.clip(layout.table))
+    ring = lines.ring(surface, centre, radius, colour, 2.5 * s, 0.95)
+    surface.set_clip(clip)
+    return ring
 
 
 def pill(

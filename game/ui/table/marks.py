@@ -13,12 +13,12 @@ from game.aim.preview import path
 from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts import cards
-from game.render.table import lines
+from game.render.table import hand, lines, pocket_marks
 from game.render.table.plan import Hole
 from game.render.theme import ACCENT, LILAC, WHITE, BallLook
 from game.session.session import Session
 
-from . import preview_lines
+from . import furniture, preview_lines
 
 TAG = 16
 """How far left of and above a trace's beginning its letter stands, px at s = 1."""
@@ -34,8 +34,8 @@ def key(session: Session, aids: str) -> object:
     """What decides how the marks look: equal keys, equal marks."""
     if aiming(session):
         if session.arranging:
-            return "arrange", session.held_ball, session.stamp
-        return "aim", session.preview_key, aids, computer(session)
+            return "arrange", session.held_ball, session.stamp, in_hand(session)
+        return "aim", session.preview_key, aids, computer(session), call_of(session)
     if session.shown_shot:
         at = None if session.timeline.runs else session.timeline.at
         return (
@@ -64,25 +64,78 @@ def draw(
     """
     if aiming(session):
         if session.arranging:
-            return [_taken(surface, layout, session)]
-        aids = "full" if computer(session) else aids
-        if aids == "off":
-            return []
-        preview = session.preview
-        if preview is None or (aids == "short" and preview.contact is None):
-            return _direction(surface, layout, session)
-        seen = preview_lines.Seen(
-            surface, layout, session, looks, LILAC if computer(session) else WHITE, holes or {}
-        )
-        return seen.first(preview) if aids == "short" else seen.whole(preview)
+            return _taken(surface, layout, session)
+        rects = _called(surface, layout, session, looks, holes or {})
+        return rects + _aim(surface, layout, session, looks, aids, holes or {})
     return _traces(surface, layout, session, looks) if session.shown_shot else []
 
 
-def _taken(surface: pygame.Surface, layout: Layout, session: Session) -> pygame.Rect:
-    """Draw a ring around the ball in hand."""
-    ball = session.world.ball(session.held_ball)
-    centre, radius = layout.to_screen(*ball.position), 1.45 * ball.radius * layout.scale
-    return lines.ring(surface, centre, radius, ACCENT, 2.0 * layout.s, 0.95)
+def _aim(
+    surface: pygame.Surface,
+    layout: Layout,
+    session: Session,
+    looks: Sequence[BallLook],
+    aids: str,
+    holes: Mapping[str, Hole],
+) -> Rects:
+    """Draw what the next shot will do, as far as `aids` show it."""
+    aids = "full" if computer(session) else aids
+    if aids == "off":
+        return []
+    preview = session.preview
+    if preview is None or (aids == "short" and preview.contact is None):
+        return _direction(surface, layout, session)
+    ink = LILAC if computer(session) else WHITE
+    seen = preview_lines.Seen(surface, layout, session, looks, ink, holes)
+    return seen.first(preview) if aids == "short" else seen.whole(preview)
+
+
+def call_of(session: Session) -> tuple[str, str]:
+    """The ball and the pocket that are called for the next stroke, or ""."""
+    if session.contest is None:
+        return "", ""
+    call = session.contest.match.call
+    return call.ball, call.pocket
+
+
+def _called(
+    surface: pygame.Surface,
+    layout: Layout,
+    session: Session,
+    looks: Sequence[BallLook],
+    holes: Mapping[str, Hole],
+) -> Rects:
+    """Ring the ball and the pocket that are called."""
+    name, pocket = call_of(session)
+    rects, s = [], layout.s
+    found = {ball.name: (ball, look) for ball, look in zip(session.world.balls, looks, strict=True)}
+    if name in found and not found[name][0].gone:
+        ball = found[name][0]
+        radius = ball.radius * layout.scale + 2.6 * s
+        at = layout.to_screen(*ball.position)
+        rects.append(lines.ring(surface, at, radius, WHITE, 1.3 * s, 0.85))
+    if pocket in holes:
+        ink = found[name][1].ui if name in found else ACCENT
+        rects.append(pocket_marks.called(surface, layout, holes[pocket], ink))
+    return rects
+
+
+def _taken(surface: pygame.Surface, layout: Layout, session: Session) -> Rects:
+    """Draw the ball in hand, and the region that it may be put into."""
+    ball, table = session.world.ball(session.held_ball), session.world.table
+    centre, radius = layout.to_screen(*ball.position), ball.radius * layout.scale
+    region = in_hand(session)
+    if not region:
+        return [lines.ring(surface, centre, 1.45 * radius, ACCENT, 2.0 * layout.s, 0.95)]
+    room = hand.region(surface, layout, table, region)
+    return [room, hand.held(surface, centre, radius, layout.s)]
+
+
+def in_hand(session: Session) -> str:
+    """The region of the table that the cue ball of a match may be put into, or ""."""
+    region: str = getattr(session.contest, "in_hand", "")
+    table = furniture.table_of(session.world)
+    return region if table is not None and region in table.regions else ""
 
 
 def computer(session: Session) -> bool:
