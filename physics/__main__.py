@@ -3,20 +3,18 @@
 import argparse
 import csv
 import os
-import re
 import sys
 from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
 from math import hypot, inf
-from typing import NoReturn
 
 from . import commandline, laws, scenes, tables
 from .batch import sweep
 from .engines.exact import EventBudgetError, EventDriven
 from .engines.stepping import SCHEMES, TimeStepping
 from .log import Event
-from .shot import NUMBERS
+from .ranges import joined
 from .studies import fitting
 from .studies.trace import trace
 from .world import World
@@ -57,17 +55,6 @@ def main(argv: list[str] | None = None) -> int:
         return refuse("stopped")
 
 
-def joined(words: list[str]) -> list[str]:
-    """`--angle -10:10:1` as `--angle=-10:10:1`, which argparse does not mistake for an option."""
-    whole: list[str] = []
-    for word in words:
-        if whole and whole[-1][2:] in NUMBERS and re.match(r"-[\d.]", word):
-            whole[-1] += f"={word}"
-        else:
-            whole.append(word)
-    return whole
-
-
 def refuse(message: str) -> int:
     print(f"python -m physics: {message}", file=sys.stderr)
     return 2
@@ -96,14 +83,9 @@ def idle(options: argparse.Namespace) -> str:
     return ""
 
 
-class Refusing(commandline.Parser):
-    def error(self, message: str) -> NoReturn:
-        self.exit(refuse(message))
-
-
 def parser() -> argparse.ArgumentParser:
     """The options."""
-    commands = Refusing(prog="python -m physics", description="Billiards, exact.")
+    commands = commandline.Refusing(prog="python -m physics", description="Billiards, exact.")
     sub = commands.add_subparsers(dest="command", required=True, metavar="scene, sweep or fit")
     one = sub.add_parser("scene", help="play a scene and print what happens")
     many = sub.add_parser("sweep", help="play many shots in a scene, each from its beginning")
