@@ -3,13 +3,11 @@
 import argparse
 import csv
 import os
-import re
 import sys
 from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
 from math import hypot, inf
-from typing import NoReturn
 
 from . import commandline, laws, scenes, tables
 from .batch import sweep
@@ -17,7 +15,8 @@ from .engines.exact import EventBudgetError, EventDriven
 from .engines.stepping import SCHEMES, TimeStepping
 from .files import store
 from .log import Event
-from .shot import NUMBERS, Shot
+from .ranges import joined
+from .shot import Shot
 from .studies import fitting
 from .studies.trace import trace
 from .world import World
@@ -72,17 +71,6 @@ def begun(name: str) -> World:
     return thing.world
 
 
-def joined(words: list[str]) -> list[str]:
-    """`--angle -10:10:1` as `--angle=-10:10:1`, which argparse does not mistake for an option."""
-    whole: list[str] = []
-    for word in words:
-        if whole and whole[-1][2:] in NUMBERS and re.match(r"-[\d.]", word):
-            whole[-1] += f"={word}"
-        else:
-            whole.append(word)
-    return whole
-
-
 def refuse(message: str) -> int:
     print(f"python -m physics: {message}", file=sys.stderr)
     return 2
@@ -111,14 +99,9 @@ def idle(options: argparse.Namespace) -> str:
     return ""
 
 
-class Refusing(commandline.Parser):
-    def error(self, message: str) -> NoReturn:
-        self.exit(refuse(message))
-
-
 def parser() -> argparse.ArgumentParser:
     """The options."""
-    commands = Refusing(prog="python -m physics", description="Billiards, exact.")
+    commands = commandline.Refusing(prog="python -m physics", description="Billiards, exact.")
     sub = commands.add_subparsers(dest="command", required=True, metavar="scene, sweep or fit")
     one = sub.add_parser("scene", help="play a scene and print what happens")
     many = sub.add_parser("sweep", help="play many shots in a scene, each from its beginning")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
+from typing import Any, NoReturn
 
 
 class Once(argparse.Action):
@@ -30,3 +30,10 @@ class Parser(argparse.ArgumentParser):
     def __init__(self, *arguments: Any, **more: Any) -> None:
         super().__init__(*arguments, **more)
         self.register("action", None, Once)  # the action of an option that names none
+
+
+class Refusing(Parser):
+    """One that says in a line what is wrong, and no more."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"{' '.join(self.prog.split()[:3])}: {message}\n")

@@ -8,8 +8,8 @@ from typing import Any, ClassVar
 
 from .checks import finite, keep, positive, vector
 from .kernel import obstacle
-from .kernel.away import greatest
 from .kernel.elementary import direction
+from .kernel.gap import greatest
 from .kernel.motion import length
 from .kernel.obstacle import ARC, SEGMENT, Shape
 from .laws import CushionLaw, cushion_law

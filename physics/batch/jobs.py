@@ -12,8 +12,8 @@ import numpy as np
 from physics.ball import Ball
 from physics.engines.exact import EventDriven
 from physics.kernel import body, calendar
-from physics.kernel.away import LEFT
-from physics.kernel.body import Notes, Touch, Way
+from physics.kernel.body import Kept, Notes, Way
+from physics.kernel.gap import LEFT
 from physics.laws import CustomRule
 from physics.shot import Shot
 from physics.simulation import simulate
@@ -88,7 +88,7 @@ class Job(NamedTuple):
     def _notes(self) -> Notes:
         balls, walls, most = len(self.before), len(self.scene.walls), self.contacts
         ways, near = [Way() for _ in range(balls)], [True] * (balls * walls)
-        return Notes(most, [[Touch() for _ in range(most)]], [0], ways, near)
+        return Notes(most, [[Kept() for _ in range(most)]], [0], ways, near)
 
 
 class OneByOne(NamedTuple):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
+from functools import cache
+from types import ModuleType
 from typing import TYPE_CHECKING, TypedDict
 
 from physics.ball import Ball
@@ -58,13 +60,21 @@ def simulate_many(
     ValueError names a bad shot, number, position (with its shot), executor or progress; other
     errors are those of a run.
     """
-    from physics.batch.play import asked_of, job_of, play  # absolute: quicker, for single shots
-
     if executor is not None and not hasattr(executor, "submit"):
         raise ValueError(f"simulate_many executor must have a submit, not be {executor!r}")
     if progress is not None and not callable(progress):
         raise ValueError(f"simulate_many progress must be callable, not {progress!r}")
     contacts = whole("simulate_many contacts", contacts, 0, MOST)
-    asked = asked_of(world, ball, shots, numbers, positions)
-    job = job_of(world, asked, contacts, compiled, CHUNK)
-    return play(world, asked, job, executor, progress)
+    work = _work()
+    asked = work.asked_of(world, ball, shots, numbers, positions)
+    job = work.job_of(world, asked, contacts, compiled, CHUNK)
+    outcomes: Outcomes = work.play(world, asked, job, executor, progress)
+    return outcomes
+
+
+@cache
+def _work() -> ModuleType:
+    """What does the work; imported on first use, since it needs NumPy."""
+    from . import play
+
+    return play

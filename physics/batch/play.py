@@ -36,10 +36,16 @@ def play(
         for count in _pieces(job, asked, whole, executor):
             if progress is not None:
                 progress(count)
-    over = np.flatnonzero(whole.events.view(np.uint64) > job.budget)  # below 0 is over it, too
-    if len(over):
-        _fail(world, asked, int(over[0]))
+    if not all(0 <= count <= job.budget for count in _extremes(whole.events)):
+        over = (whole.events < 0) | (whole.events > job.budget)
+        _fail(world, asked, int(np.flatnonzero(over)[0]))
     return whole.whole(asked.names, tuple(wall.name for wall in world.walls))
+
+
+def _extremes(counts: Any) -> tuple[int, int]:
+    if len(counts) == 1:  # quicker
+        return (counts.item(),) * 2
+    return counts.min(initial=0), counts.max(initial=0)
 
 
 def _fail(world: World, asked: Asked, shot: int) -> None:

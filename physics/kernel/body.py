@@ -160,7 +160,7 @@ class Way:
 
 
 @dataclass(slots=True, eq=False)
-class Touch:
+class Kept:
     """A contact as a batch keeps it: see kernel/notes.py."""
 
     kind: int = 0

@@ -1,6 +1,6 @@
 """What a batch keeps of its shots: which balls, cushions and pockets met, and when."""
 
-from .away import leaves
+from .gap import leaves
 from .impulses import WALL
 from .kinds import CLUSTER, CUSHION, DROP, LASTING, LEAVE, NOTHING, PAIR
 from .subset import kernel, whole

@@ -17,7 +17,7 @@ from physics import (
     simulate_many,
 )
 from physics.__main__ import main
-from physics.batch.sweep import values
+from physics.ranges import values
 
 
 def rows(text):
@@ -163,7 +163,7 @@ def test_the_workers_of_a_scheduler_share_a_sweep(capsys, monkeypatch):
 
 def test_a_scheduler_that_is_not_there_is_said(capsys, monkeypatch):
     pytest.importorskip("distributed", reason="needs the extra `cluster`")
-    monkeypatch.setattr("physics.batch.sweep.REACHED", 0.2)
+    monkeypatch.setattr("physics.ranges.REACHED", 0.2)
     assert main(["sweep", "carom", "--speed", "3", "--dask", "tcp://127.0.0.1:9"]) == 2
     assert "127.0.0.1:9" in capsys.readouterr().err
     assert main(["sweep", "carom", "--speed", "3", "--dask", "no address"]) == 2
@@ -174,7 +174,7 @@ def test_a_scheduler_that_is_not_there_is_said(capsys, monkeypatch):
 
 def test_a_long_sweep_shows_a_bar(capsys, monkeypatch):
     pytest.importorskip("tqdm")
-    monkeypatch.setattr("physics.batch.sweep.PATIENCE", 0.0)
+    monkeypatch.setattr("physics.ranges.PATIENCE", 0.0)
     monkeypatch.setattr("physics.batch.many.CHUNK", 5)
     monkeypatch.setattr("sys.stderr.isatty", lambda: True, raising=False)
     assert main(["sweep", "carom", "--speed", "3", "--angle", "0:19:1"]) == 0
@@ -182,7 +182,7 @@ def test_a_long_sweep_shows_a_bar(capsys, monkeypatch):
 
 
 def test_without_a_terminal_or_without_tqdm_there_is_no_bar(capsys, monkeypatch):
-    monkeypatch.setattr("physics.batch.sweep.PATIENCE", 0.0)
+    monkeypatch.setattr("physics.ranges.PATIENCE", 0.0)
     main(["sweep", "carom", "--speed", "3"])
     assert capsys.readouterr().err.count("\n") == 1
     monkeypatch.setitem(__import__("sys").modules, "tqdm", None)

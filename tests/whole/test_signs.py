@@ -19,9 +19,19 @@ from game.session.commands import perform
 from game.session.session import Session
 from game.table.presets import table_world
 from game.ui.panels import aim_panel
-from physics import Ball, CueStroke, Shot, TimeStepping, World, laws, scenes, simulate, tables
+from physics import (
+    Ball,
+    CueStroke,
+    Shot,
+    TimeStepping,
+    World,
+    laws,
+    ranges,
+    scenes,
+    simulate,
+    tables,
+)
 from physics.__main__ import main
-from physics.batch import sweep
 from physics.shot import direction
 
 R = tables.MATCH_CAROM.radius
@@ -294,7 +304,7 @@ def test_help_of_the_command_line_says_which_way_every_number_goes(capsys):
     with pytest.raises(SystemExit):
         main(["sweep", "--help"])
     swept = " ".join(capsys.readouterr().out.split())
-    assert all(meaning in swept for meaning in sweep.MEANING.values())
+    assert all(meaning in swept for meaning in ranges.MEANING.values())
 
 
 def test_a_sweep_s_side_is_the_shot_s(capsys):

@@ -1,0 +1,71 @@
+"""What many shots are worth by the rules of a game, and with the errors of a player."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Executor
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from physics import World, simulate_many
+
+from .players.noise import missed
+from .rules.verdict import Rules, Turn
+
+if TYPE_CHECKING:
+    from .players.levels import Level
+
+KEPT = 40  # contacts: most shots have fewer
+ALL = 10_000
+PIECE = 20_000  # shots of which contacts are kept at once: 13 MB
+
+
+class Scores(NamedTuple):
+    """What shots are worth: means over the copies of each, (shots,).
+
+    points: the change of score.
+    made, fouls: the share that scored, and the share that were fouls.
+    """
+
+    points: Any
+    made: Any
+    fouls: Any
+
+
+def scores(
+    world: World, ball: str, shots: Any, rules: Rules, *, level: Level | None = None,
+    copies: int = 1, seed: int | None = 0, executor: Executor | None = None,
+    progress: Callable[[int], object] | None = None,
+) -> Scores:  # fmt: skip
+    """What each of the shots (shots, 6) at `ball` is worth by the rules, from the world as it is.
+
+    level: of the player; each shot is then played `copies` times with its errors, drawn from the
+    seed. None: as it is.
+    executor, progress: as in `simulate_many`; a copy is a shot.
+    ValueError for what `simulate_many` refuses.
+    """
+    rng, radius = np.random.default_rng(seed), world.ball(ball).radius
+    copies = copies if level else 1
+    worth = np.empty((len(shots), copies, 3))
+    step = max(1, PIECE // copies)
+    for k in range(0, len(shots), step):
+        table = shots[k : k + step]
+        if level is not None:
+            table = missed(table, level, copies, radius, rng)
+        how: Any = {"executor": executor, "progress": progress}
+        worth[k : k + step] = _judged(world, ball, table, rules, how).reshape(-1, copies, 3)
+    return Scores(*worth.mean(axis=1).T)
+
+
+def _judged(world: World, ball: str, table: Any, rules: Rules, how: dict[str, Any]) -> Any:
+    """(shots, 3): points, made and foul of each."""
+    outcomes, turn = simulate_many(world, ball, table, contacts=KEPT, **how), Turn(cue=ball)
+    worth = np.empty((len(table), 3))
+    for k in range(len(table)):
+        log = outcomes.log(k)
+        if outcomes.dropped[k]:
+            log = simulate_many(world, ball, table[k : k + 1], contacts=ALL).log(0)
+        verdict = rules.verdict(log, turn)
+        worth[k] = verdict.points, verdict.made, verdict.foul
+    return worth
