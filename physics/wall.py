@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from .checks import finite, keep, positive, vector
+from .farthest import known_farthest
 from .kernel import obstacle
 from .kernel.elementary import direction
 from .kernel.gap import greatest
@@ -212,6 +213,10 @@ class Segment(Obstacle):
 
     def circles(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
         return (self.shape.first, radius + gap), (self.shape.last, radius + gap)
+
+    def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
+        known = known_farthest(self.shape, p, v, a, t)
+        return Obstacle.farthest(self, p, v, a, t) if known is None else known
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from danggu.rules.match import Match
 from physics import World
 
+from .answers import chosen
 from .levels import Level
 from .opponent import EFFORT, Opponent
 from .plan import Answers, Maker, Mind
-from .potter import Potter, first_option
+from .potter import Potter
 
 POCKETS = (
     "eight_ball", "nine_ball", "ten_ball", "straight_pool", "snooker", "free_pyramid",
@@ -17,7 +18,7 @@ POCKETS = (
 MINDS: dict[str, Maker] = dict.fromkeys(POCKETS, Potter)
 """What thinks about a stroke, by the key of the rules; for any other game it is `Opponent`."""
 ANSWERS: dict[str, Answers] = {}
-"""What answers questions, by the key of the rules; for any other game it is `first_option`."""
+"""What answers questions, by the key of the rules; for any other game it is `chosen`."""
 
 
 def mind(world: World, match: Match, level: Level, seed: int = 0, effort: int = EFFORT) -> Mind:
@@ -29,4 +30,4 @@ def mind(world: World, match: Match, level: Level, seed: int = 0, effort: int = 
 def answer(world: World, match: Match, level: Level, seed: int = 0) -> str:
     """The key of the option with which the player at the table answers; ValueError if nothing has
     been asked."""
-    return ANSWERS.get(match.rules.key, first_option)(world, match, level, seed)
+    return ANSWERS.get(match.rules.key, chosen)(world, match, level, seed)

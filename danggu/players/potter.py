@@ -1,159 +1,220 @@
-"""A simple opponent for games with pockets: the easiest pot, straight into the easiest pocket."""
+"""An opponent for games with pockets: pots, what they leave, safeties and breaks, tried with the
+engine, and the best is what bears the level's error best."""
 
 from __future__ import annotations
 
-from cmath import phase
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from math import degrees, dist
+from collections.abc import Callable, Generator, Iterable
 from random import Random
 from time import perf_counter
+from typing import NamedTuple
 
 from danggu.rules.match import Match
-from danggu.rules.snooker import COLOUR
-from danggu.rules.state import BREAK, Call
-from physics import Pocket, World, heading, simulate
+from danggu.rules.state import BREAK, SECOND
+from physics import World, heading
 
-from .hand import hindrance, usual
+from .banks import banks, kicks
+from .breaks import breaks, places
+from .chances import STEADIEST, Eye, Way
+from .craft import craft
+from .declaring import declared
 from .levels import Attempt, Level
-from .plan import Plan, Point
+from .lies import lie_and_targets
+from .mouths import measured
+from .plan import Plan
+from .safeties import safeties
+from .starts import Start, starts
+from .strokes import aimed, pots, variants
+from .trying import Candidate, Trials
+from .worth import Worth
 
-TRIED = 24  # pots that are simulated, the easiest first
-FAST, SOFT = 8.0, 1.2  # m/s: of a break, and of a stroke that pots nothing
-SPEEDS = (1.5, 2.5)  # m/s: of pots
-STEEPEST = 75.0  # degrees: no thinner cut is tried
-BEHIND = 0.25  # m: how far behind the ghost ball a ball in hand is placed
+DOUBTFUL = 0.3  # chance below which a cushion is thought of
+# New copies of the chosen stroke: its share without the luck of having been chosen.
+FRESH, FEWEST = 30, 8
+SOFT = 1.2  # m/s: of the stroke that it has before it thinks
+
+Work = Generator[None, None, None]
 
 
-@dataclass(frozen=True, slots=True)
-class Pot:
-    """A pot to be tried.
+class Meaning(NamedTuple):
+    """What a stroke is meant to do.
 
-    ease: the smaller the easier.
-    ball, pocket: names.
-    aim: of the cue ball.
-    place: where the cue ball lies, m, or None if it is not in hand.
-    cue: name of the ball that is played.
+    what: "break", "pot", "push" (out) or "safety".
+    ball, pocket: names, or "" where they do not matter.
     """
 
-    ease: float
-    ball: str
-    pocket: str
-    aim: Attempt
-    place: Point | None
-    cue: str
+    what: str
+    ball: str = ""
+    pocket: str = ""
 
 
 class Potter:
-    """Thinks as `plan.Mind` says: pots as they come, or else a plain hit on a ball that is on."""
+    """Thinks about the coming stroke as `plan.Mind` says; the outcome depends on no budget.
+
+    effort: strokes tried at most.
+    """
 
     def __init__(
-        self, world: World, match: Match, level: Level, seed: int = 0, effort: int = TRIED
+        self, world: World, match: Match, level: Level, seed: int = 0, effort: int = 4000
     ) -> None:
         self.level, self.match, self.done = level, match, False
         self.share: float | None = None
         self._world, self._rng = world.copy(), Random(seed)
-        self._balls = {ball.name: ball for ball in self._world.balls if not ball.gone}
-        self._pockets = {w.name or "": w.at for w in world.walls if isinstance(w, Pocket)}
-        self._place = self._usual_place()
-        targets = [ball for ball in match.rules.targets(match.turn) if ball in self._balls]
-        self.aim, self._call, self._at = self._plain(targets), self._declared(targets), self._place
-        breaks = match.state.phase == BREAK
-        pots = [] if breaks else sorted(self._pots(targets), key=lambda pot: pot.ease)
-        self._left = pots[: min(effort, TRIED)]
+        self._craft, self._effort = craft(level), effort
+        if world.table is None:
+            raise ValueError(f"a table is needed for {match.rules.key}, not only walls")
+        self._eye = Eye(world.table, level)
+        self._trials = Trials(
+            self._world, Worth(self._eye, match, self._craft.position), world.table.radius
+        )
+        self.chosen = self._plain()
+        self._work = self._search()
+
+    @property
+    def tried(self) -> int:
+        """Strokes tried up to now."""
+        return self._trials.tried
+
+    @property
+    def meaning(self) -> Meaning:
+        """What the plan is meant to do, for the picture."""
+        one = self.chosen
+        if self.match.state.phase == BREAK and not one.way:
+            return Meaning("break")
+        if one.way is not None:
+            return Meaning("pot", one.way.ball, one.way.opening.hole.name)
+        return Meaning("push" if one.call.push else "pot" if one.pots else "safety")
 
     @property
     def plan(self) -> Plan:
-        return Plan(self.aim.shot(), self._call, self._at)
+        one = self.chosen
+        return Plan(one.aim.shot(), one.call, one.start.place)
 
     def played(self, rng: Random) -> Plan:
-        radius = self._balls[self.match.cue].radius if self.match.cue in self._balls else 0.03
-        return Plan(self.level.missed(self.aim, rng, radius).shot(), self._call, self._at)
+        one = self.chosen
+        missed = self.level.missed(one.aim, rng, self._trials.radius)
+        return Plan(missed.shot(), one.call, one.start.place)
 
     def think(self, budget: float, clock: Callable[[], float] = perf_counter) -> bool:
         end = clock() + budget
         while not self.done:
-            self.done = not self._left or self._try(self._left.pop(0))
+            self.done = next(self._work, True) is True
             if clock() >= end:
                 break
         return self.done
 
-    def _usual_place(self) -> Point | None:
-        region, cue = self.match.state.region, self.match.cue
-        if not region:
-            return None
-        at = self._world.ball(cue).position
-        gone = self._world.ball(cue).gone
-        return usual(self._world, cue, region) if gone or self._barred(at) else at
+    # -- the search: each of these stops after every stroke that is tried -----------------------
 
-    def _barred(self, at: Point) -> bool:
-        return hindrance(self._world, self.match.cue, at, self.match.state.region) is not None
+    def _plain(self) -> Candidate:
+        """What it would play without a thought: full on the nearest ball that is on."""
+        start = next(iter(starts(self._world, self.match, self._eye)))
+        match = start.match
+        lie, targets = lie_and_targets(self._world, match)
+        seen = self._eye.hittable(start.at, lie, targets) or targets or [*lie]
+        name = min(seen, key=lambda ball: abs(lie[ball] - start.at), default="")
+        line = lie[name] - start.at if name else 1.0 + 0j
+        return Candidate(start, declared(match, name), Attempt(heading(line), SOFT), False, -9.0)
 
-    def _start(self) -> Point:
-        return self._place or self._world.ball(self.match.cue).position
+    def _search(self) -> Work:
+        yield from _each(measured(self._world.table))
+        froms = [*starts(self._world, self.match, self._eye)]
+        if self._breaks():
+            found = yield from breaks(self._trials, places(froms, self._trials.radius))
+        else:
+            found = yield from self._found(froms)
+        if not found:
+            return
+        yield from self._race(found)
+        yield from self._measure()
 
-    def _plain(self, targets: list[str]) -> Attempt:
-        """Full on the nearest ball that may be hit first."""
-        x, y = self._start()
-        spots = [self._balls[name].position for name in targets] or [(0.0, 0.0)]
-        a, b = min(spots, key=lambda at: dist(at, (x, y)))
-        fast = FAST if self.match.state.phase == BREAK else SOFT
-        return Attempt(heading(complex(a - x, b - y)), fast)
+    def _breaks(self) -> bool:
+        """Is it a break with power, and not a careful one?"""
+        key = self.match.rules.key
+        return self.match.state.phase == BREAK and key != "straight_pool"
 
-    def _declared(self, targets: list[str]) -> Call:
-        """Snooker wants a colour to be named, and a free ball."""
-        state, start = self.match.state, self._start()
-        if targets and (state.free or state.on == COLOUR):
-            return Call(min(targets, key=lambda name: dist(self._balls[name].position, start)))
-        return Call()
+    def _found(self, froms: list[Start]) -> Generator[None, None, list[Candidate]]:
+        """Strokes that may be worth playing."""
+        found: list[Candidate] = []
+        ways = yield from self._ways(froms)
+        for start, way in ways[: self._craft.ways]:
+            if self._spent(0.5):
+                break
+            found += yield from pots(self._trials, start, way, self._craft)
+            self._choose(found)
+        found += yield from self._refined(found)
+        likely = ways[0][1].chance if ways else 0.0
+        if likely < DOUBTFUL and self._craft.banks and not self.match.opening:
+            found += yield from banks(self._trials, froms[0], self._craft.banks)
+        if likely < self._craft.defends or not found:
+            found += yield from self._safe(froms)
+        self._choose(found)
+        return found
 
-    def _pots(self, targets: list[str]) -> Iterator[Pot]:
-        for name in targets:
-            ball = self._balls[name]
-            for pocket, hole in self._pockets.items():
-                to = complex(*hole) - complex(*ball.position)
-                ghost = complex(*ball.position) - 2 * ball.radius * to / abs(to)
-                place = self._behind(ghost, to)
-                run = ghost - complex(*(place or self._start()))
-                cut = abs(degrees(_angle(run, to)))
-                if cut > STEEPEST or not run:
-                    continue
-                for speed in SPEEDS:
-                    ease = abs(to) * (1 + (cut / 30) ** 2) + 0.5 * abs(run) + 0.1 * speed
-                    aim = Attempt(heading(run), speed)
-                    yield Pot(ease, name, pocket, aim, place, self.match.cue)
+    def _refined(self, found: list[Candidate]) -> Generator[None, None, list[Candidate]]:
+        """The most promising strokes, varied a little."""
+        more: list[Candidate] = []
+        for one in sorted(found, key=lambda one: -one.worth)[: self._craft.refined]:
+            for aim in variants(one):
+                if one.way is not None and not self._spent(0.5):
+                    other = yield from aimed(self._trials, one.start, one.way, aim)
+                    more += [other] if other else []
+        return more
 
-    def _behind(self, ghost: complex, to: complex) -> Point | None:
-        """For a ball in hand, a place straight behind the ghost ball, if it may be there."""
-        if self._place is None:
-            return None
-        at = ghost - BEHIND * to / abs(to)
-        return self._place if self._barred((at.real, at.imag)) else (at.real, at.imag)
+    def _safe(self, froms: list[Start]) -> Generator[None, None, list[Candidate]]:
+        left = max(1, int(0.6 * self._effort) - self.tried)
+        times = 2 if self.match.opening else 1 if self._sees(froms[0]) else 3
+        count = min(self._craft.safeties * times, left)
+        found = yield from safeties(self._trials, froms, count, self._rng)
+        if self._craft.banks and all(one.worth < 0.0 for one in found):
+            found += yield from kicks(self._trials, froms[0], 2 * self._craft.banks)
+        if self.match.state.phase == SECOND and self._craft.banks:
+            found += yield from safeties(self._trials, froms, count // 2, self._rng, push=True)
+        return found
 
-    def _try(self, pot: Pot) -> bool:
-        """Play it on a copy; whether it scores, which is then the plan."""
-        world = self._world.copy()
-        if pot.place is not None:
-            world.ball(pot.cue).position = pot.place
-        call = Call(pot.ball, pot.pocket)
-        try:
-            after = simulate(world, pot.cue, pot.aim.shot())
-            verdict = self.match.called(call).judged(after.log.contacts())
-        except (ValueError, RuntimeError):  # what the engine cannot follow is not played
-            return False
-        if not verdict.made or verdict.lost:
-            return False
-        self.aim, self._call, self._at, self.share = pot.aim, call, pot.place, None
-        return True
+    def _sees(self, start: Start) -> bool:
+        """Can any ball that is on be hit straight?"""
+        lie, targets = lie_and_targets(self._world, start.match)
+        return bool(self._eye.hittable(start.at, lie, targets))
+
+    def _ways(self, froms: list[Start]) -> Generator[None, None, list[tuple[Start, Way]]]:
+        """The pots from all starts, the likeliest first."""
+        ways: list[tuple[Start, Way]] = []
+        for start in froms:
+            lie, targets = lie_and_targets(self._world, start.match)
+            ways += [(start, way) for way in self._eye.ways(start.at, lie, targets)]
+            yield
+        return sorted(ways, key=lambda one: -one[1].chance)
+
+    def _race(self, found: list[Candidate]) -> Work:
+        """Copies with the level's error of those that promise the most."""
+        error = self.level.or_more(STEADIEST)
+        first, keep = self._craft.copies[0]
+        room = (self._effort - self.tried) // (2 * first)  # half for the rounds after the first
+        field = sorted(found, key=lambda one: -one.worth)[: max(2, min(2 * keep, room))]
+        for copies, keep in self._craft.copies:
+            for one in field:
+                for _ in range(0 if self._spent(1.0) else copies):
+                    self._trials.copy(one, error, self._rng)
+                    yield
+            field = sorted(field, key=lambda one: -one.merit)[:keep]
+            self.chosen = field[0]
+
+    def _measure(self) -> Work:
+        """How many strokes like the chosen one would succeed."""
+        one = self.chosen
+        fresh = Candidate(one.start, one.call, one.aim, one.pots, one.worth)
+        for _ in range(min(FRESH, max(FEWEST, self._effort // 4))):
+            self._trials.copy(fresh, self.level, self._rng)
+            self.share = fresh.good / fresh.copies
+            yield
+
+    def _spent(self, share: float) -> bool:
+        return self.tried >= share * self._effort
+
+    def _choose(self, found: list[Candidate]) -> None:
+        if found:
+            self.chosen = max(found, key=lambda one: one.worth)
 
 
-def _angle(a: complex, b: complex) -> float:
-    """The angle between two directions, radians."""
-    return abs(phase(a.conjugate() * b))
-
-
-def first_option(world: World, match: Match, level: Level, seed: int = 0) -> str:
-    """The answer that needs no thought: the first one."""
-    if match.asked is None:
-        raise ValueError("there is no question to answer")
-    return match.asked.options[0].key
+def _each(things: Iterable[object]) -> Work:
+    for _ in things:
+        yield
