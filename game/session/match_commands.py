@@ -140,9 +140,10 @@ def move_in_hand(session: Session, to: tuple[float, float]) -> None:
     contest = session.contest
     if contest is None or not session.arranging or not contest.in_hand:
         return
-    why = hindrance(session.world, session.cue, to, contest.in_hand)
+    region = contest.match.state.region
+    why = hindrance(session.world, session.cue, to, region)
     if why is not None:
-        key = f"hand.{contest.in_hand}" if why.why == "region" else f"hand.{why.why}"
+        key = f"hand.{region}" if why.why == "region" else f"hand.{why.why}"
         session.warn(key, about=why.ball)
         return
     if session.world.ball(session.cue).position == to:

@@ -11,6 +11,7 @@ from math import dist
 from typing import NamedTuple
 
 from danggu.players import observer, spotting
+from danggu.players.hand import REGIONS
 from danggu.players.levels import Level
 from danggu.rules.match import Match
 from danggu.rules.race import Race
@@ -134,9 +135,9 @@ class Contest:
 
     @property
     def in_hand(self) -> str:
-        """Where the player may place the cue ball now, as in `GameState.region`, or ""."""
+        """The region of the table in which the player may place the cue ball now, or ""."""
         idle = self.match.finished or self.pending or self.match.asked is not None
-        return "" if idle else self.match.state.region
+        return "" if idle else REGIONS.get(self.match.state.region, "")
 
     @property
     def may_call(self) -> frozenset[str]:

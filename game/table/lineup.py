@@ -54,7 +54,8 @@ class Lineup:
         parts = [MARK, self.table]
         parts += [f"{name.replace(' ', '_')}={x!r},{y!r}" for name, (x, y) in self.balls]
         parts += [f"{name.replace(' ', '_')}={DOWN}" for name in self.down]
-        return " ".join(parts + ["shot=" + ",".join(self.texts)] * bool(self.texts))
+        texts = [text.strip() for text in self.texts]  # a space would end the word
+        return " ".join(parts + ["shot=" + ",".join(texts)] * bool(texts))
 
     def world(self) -> World:
         """The table with these balls at rest."""

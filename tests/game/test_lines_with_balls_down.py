@@ -6,7 +6,7 @@ from game.session.action import Action
 from game.session.commands import perform
 from game.session.session import Session
 from game.table import presets
-from game.table.lineup import LineError, of, read
+from game.table.lineup import LineError, Lineup, of, read
 from tests.support.racked_games import leave, playing
 
 LINE = "danggu1 pool-9 cue=-0.6,0.1 9=0.5,0.2 4=down 5=down"
@@ -45,3 +45,9 @@ def test_a_wrong_line_says_what_is_wrong(line, reason):
     with pytest.raises(LineError) as found:
         read(line)
     assert found.value.reason == reason
+
+
+def test_a_number_with_a_space_behind_it_makes_a_line_that_can_be_read():
+    lineup = read(LINE)
+    spaced = Lineup(lineup.table, lineup.balls, ("3 ", "0", " 1", "0", "90"), lineup.down)
+    assert read(spaced.line()).texts == ("3", "0", "1", "0", "90")

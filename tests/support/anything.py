@@ -22,7 +22,7 @@ from game.app import App
 from game.input.key_tables import NAMES
 from game.replay.script import parse
 from game.session.action import Action
-from game.session.terms import GAMES, SEATS, Contestant, Terms
+from game.session.terms import DISCIPLINES, GAMES, SEATS, Contestant, Terms
 from game.session.ticks import TICKS
 from game.settings.settings import CHOICES
 from game.table import presets
@@ -41,7 +41,7 @@ PLAYED = [
 CODES = [code for code in NAMES if code < 128] + [
     getattr(pygame, f"K_{name}")
     for name in ("LEFT", "RIGHT", "UP", "DOWN", "PAGEUP", "PAGEDOWN", "HOME", "END", "KP_ENTER")
-] + [getattr(pygame, f"K_F{n}") for n in (1, 2, 3, 4, 5, 10)]  # fmt: skip
+] + [getattr(pygame, f"K_F{n}") for n in (1, 2, 3, 4, 5, 6, 10)]  # fmt: skip
 MODS = [0] * 6 + [pygame.KMOD_SHIFT, pygame.KMOD_CTRL, pygame.KMOD_ALT, pygame.KMOD_CTRL | 1]
 CHARACTERS = "0123456789.-+e,abcxyz가나ㅎ½\u2028 "
 SEEN = [
@@ -140,21 +140,41 @@ class RandomPlayer:
             "faster": rng.choice((1, -1, 3)), "hold": rng.choice(names), "move": pair,
             "law": rng.choice(tuple(presets.LAWS)), "cloth": rng.choice(tuple(presets.CLOTHS)),
             "language": rng.choice(tuple(LANGUAGES)), "aids": rng.choice(CHOICES["aids"]),
-            "sheet": rng.choice(("menu", "shelf", "rules", "settings", "")),
+            "sheet": rng.choice(("menu", "shelf", "rules", "score", "settings", "")),
+            "ball": rng.choice((1, -1)), "pocket": rng.choice((1, -1)), "put": pair,
+            "call": self._any_call(names), "answer": self._any_answer(),
         }  # fmt: skip
         if rng.random() < 0.45:
             return Action(rng.choice(PLAYED))
         if rng.random() < 0.02:
             return self._elsewhere()
-        if rng.random() < 0.05 and all(ball.phase != "off" for ball in session.world.balls):
+        if rng.random() < 0.05 and not self._gone():
             return Action("line", laid(session, shot=rng.random() < 0.5).line())
         name = rng.choice([*with_value, "set"])
         return Action(name, with_value[name])
 
+    def _gone(self) -> bool:
+        """Is the cue ball off the table, or any ball of a scene?"""
+        session = self.app.session
+        scene = session.table not in presets.TABLES
+        balls = session.world.balls if scene else [session.world.ball(session.cue)]
+        return any(ball.gone for ball in balls)
+
+    def _any_call(self, names: list[str]) -> str:
+        name = self.rng.choice((*names, "17", "north pocket", "south-east pocket", ""))
+        word = self.rng.choice(("ball", "pocket", "cue", "safety", "push", "nothing"))
+        return word if word in ("safety", "push") else f"{word} {name}"
+
+    def _any_answer(self) -> str:
+        contest = self.app.session.contest
+        asked = contest.match.asked if contest is not None else None
+        return self.rng.choice(asked.options).key if asked is not None else "accept"
+
     def _elsewhere(self) -> Action:
         rng = self.rng
         seats = tuple(Contestant("", rng.choice(SEATS), rng.randrange(1, 4)) for _ in range(2))
-        terms = Terms(rng.choice(GAMES), seats)
+        game = rng.choice(GAMES)
+        terms = Terms(game, seats, DISCIPLINES[game].table, race=2, seed=rng.randrange(9))
         return rng.choice((
             Action("table", rng.choice(tuple(presets.TABLES))),
             Action("scene", rng.choice(tuple(presets.SCENES))),
@@ -238,14 +258,23 @@ def _let_time_pass(app: App, player: RandomPlayer, *, drawn: bool) -> None:
     player.check()
 
 
+RACKED = [name for name, one in DISCIPLINES.items() if one.rules and not one.position]
 PLACES: list[dict[str, str]] = [
     {"table": "medium"}, {"table": "match"}, {"table": "thesis"},
     *({"scene": name} for name in presets.SCENES),
     {"game": "four-ball", "handicap": "2", "table": "medium"},
     {"game": "three-cushion", "table": "match"},
     {"game": "four-ball", "level": "club", "handicap": "3", "table": "medium"},
+    {"table": "match", "game": "balkline-47/2"},
 ]  # fmt: skip
 """Where it is played."""
+RACKS: list[dict[str, str]] = [
+    {"table": "pool-9"}, {"table": "snooker"},
+    *({"game": game, "table": DISCIPLINES[game].table} for game in RACKED),
+    {"game": "8-ball", "level": "club", "table": "pool-9"},
+    {"game": "snooker", "level": "club,club", "table": "snooker"},
+]  # fmt: skip
+"""Where there are pockets: with so many balls fixed steps would take minutes."""
 KINDS = ["exact", "tired", "jumps", *SCHEMES]
 
 
