@@ -7,7 +7,7 @@ from math import degrees
 
 from physics import heading
 
-from .chances import Lie, Opening, Way
+from .chances import Lie, Opening, Route
 from .declaring import declared
 from .levels import Attempt
 from .lies import lie_and_targets
@@ -63,7 +63,7 @@ def banks(trials: Trials, start: Start, count: int) -> Found:
     return found
 
 
-def _banked(trials: Trials, start: Start) -> Iterator[tuple[Way, float]]:
+def _banked(trials: Trials, start: Start) -> Iterator[tuple[Route, float]]:
     """Ways to the mirror images of the mouths, and how far they are, m."""
     eye = trials.judge.eye
     lie, targets = lie_and_targets(trials.world, start.match)

@@ -37,7 +37,7 @@ class Opening(NamedTuple):
     half: float
 
 
-class Way(NamedTuple):
+class Route(NamedTuple):
     """A pot.
 
     ball: its name.
@@ -80,7 +80,7 @@ class Eye:
         half = sum(abs(edge) for edge in sides) / max(1, len(sides))
         return self._chance(half, run, 0.87)
 
-    def ways(self, cue: complex, balls: Lie, targets: Iterable[str]) -> Iterator[Way]:
+    def ways(self, cue: complex, balls: Lie, targets: Iterable[str]) -> Iterator[Route]:
         """The pots that there are from a place of the cue ball; `balls` are all others."""
         for name in targets:
             at = balls[name]
@@ -114,7 +114,7 @@ class Eye:
 
     def way(
         self, cue: complex, ball: str, at: complex, opening: Opening, others: Sequence[complex]
-    ) -> Way | None:
+    ) -> Route | None:
         """The pot into that opening, None where it is too thin or a ball is in the way."""
         ghost = at - self.width * opening.way
         line = ghost - cue
@@ -124,7 +124,7 @@ class Eye:
         cut = (line.conjugate() * opening.way).real / run
         if cut < THINNEST or not self.free(cue, ghost, others):
             return None
-        return Way(ball, opening, ghost, run, cut, self._chance(opening.half, run, cut))
+        return Route(ball, opening, ghost, run, cut, self._chance(opening.half, run, cut))
 
     def free(self, start: complex, end: complex, others: Iterable[complex]) -> bool:
         """Whether a ball comes from one place to the other and meets none of the others."""

@@ -14,7 +14,7 @@ from physics import World, heading
 
 from .banks import banks, kicks
 from .breaks import breaks, places
-from .chances import STEADIEST, Eye, Way
+from .chances import STEADIEST, Eye, Route
 from .craft import craft
 from .declaring import declared
 from .levels import Attempt, Level
@@ -175,9 +175,9 @@ class Potter:
         lie, targets = lie_and_targets(self._world, start.match)
         return bool(self._eye.hittable(start.at, lie, targets))
 
-    def _ways(self, froms: list[Start]) -> Generator[None, None, list[tuple[Start, Way]]]:
+    def _ways(self, froms: list[Start]) -> Generator[None, None, list[tuple[Start, Route]]]:
         """The pots from all starts, the likeliest first."""
-        ways: list[tuple[Start, Way]] = []
+        ways: list[tuple[Start, Route]] = []
         for start in froms:
             lie, targets = lie_and_targets(self._world, start.match)
             ways += [(start, way) for way in self._eye.ways(start.at, lie, targets)]

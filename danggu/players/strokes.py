@@ -9,7 +9,7 @@ from math import degrees, sqrt
 
 from physics import World, heading
 
-from .chances import Way
+from .chances import Route
 from .craft import Craft
 from .declaring import declared
 from .levels import MISCUE, Attempt
@@ -25,7 +25,7 @@ WILDEST = 8.0  # degrees: the greatest correction of an aim
 Found = Generator[None, None, list[Candidate]]
 
 
-def pots(trials: Trials, start: Start, way: Way, craft: Craft) -> Found:
+def pots(trials: Trials, start: Start, way: Route, craft: Craft) -> Found:
     """Strokes that pot the ball that way; stops after each that is tried."""
     found: list[Candidate] = []
     slowest = speed_for(trials.world, way)
@@ -38,7 +38,7 @@ def pots(trials: Trials, start: Start, way: Way, craft: Craft) -> Found:
 
 
 def aimed(
-    trials: Trials, start: Start, way: Way, aim: Attempt
+    trials: Trials, start: Start, way: Route, aim: Attempt
 ) -> Generator[None, None, Candidate | None]:
     """The stroke with its angle set right, None if it does not pot."""
     call = declared(start.match, way.ball, way.opening.hole.name)
@@ -70,7 +70,7 @@ def variants(one: Candidate) -> Iterator[Attempt]:
         yield replace(aim, right=aim.right + right, up=aim.up + up).within(0.9 * MISCUE)
 
 
-def speed_for(world: World, way: Way, far: float | None = None) -> float:
+def speed_for(world: World, way: Route, far: float | None = None) -> float:
     """The speed of the cue ball with which the ball just arrives at its pocket, m/s.
 
     far: how far the ball has to roll, m, if it does not go straight.
@@ -91,7 +91,7 @@ def _faster(world: World, speed: float, far: float) -> float:
     return sqrt(speed * speed + 2.0 * world.cloth.roll * world.cloth.gravity * far)
 
 
-def _off(done: Outcome, way: Way) -> float | None:
+def _off(done: Outcome, way: Route) -> float | None:
     """By how much the ball left its way to the left, radians; None if it did not move."""
     legs = done.world.log.legs(way.ball)
     if len(legs) < 2 or not legs[1].velocity:

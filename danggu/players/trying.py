@@ -9,7 +9,7 @@ from danggu.rules.state import Call
 from danggu.rules.verdict import Verdict
 from physics import World, simulate
 
-from .chances import Way
+from .chances import Route
 from .levels import Attempt, Level
 from .starts import Start, laid
 from .worth import Worth
@@ -33,7 +33,7 @@ class Candidate:
     aim: Attempt
     pots: bool
     worth: float
-    way: Way | None = None
+    way: Route | None = None
     copies: int = 0
     total: float = 0.0
     good: int = 0

@@ -11,7 +11,6 @@ from math import dist
 from typing import NamedTuple
 
 from danggu.players import observer, spotting
-from danggu.players.hand import REGIONS
 from danggu.players.levels import Level
 from danggu.rules.match import Match
 from danggu.rules.race import Race
@@ -137,7 +136,7 @@ class Contest:
     def in_hand(self) -> str:
         """The region of the table in which the player may place the cue ball now, or ""."""
         idle = self.match.finished or self.pending or self.match.asked is not None
-        return "" if idle else REGIONS.get(self.match.state.region, "")
+        return "" if idle else self.match.state.region
 
     @property
     def may_call(self) -> frozenset[str]:

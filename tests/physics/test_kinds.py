@@ -102,7 +102,9 @@ def test_a_ball_laid_along_a_wall_is_as_far_from_it_as_was_asked():
     assert wall.circles(0.03, 0.002) == ()
 
 
-KNOW_LINES = {"physics/framing.py", "physics/kernel/obstacle.py", "physics/wall.py"}
+KNOW_LINES = {
+    "physics/farthest.py", "physics/framing.py", "physics/kernel/obstacle.py", "physics/wall.py",
+}  # fmt: skip
 OTHER_MEANINGS = {
     "physics/cue.py", "physics/studies/search.py", "physics/studies/tracks.py",
     "game/render/table/balls.py", "game/render/table/painter.py", "game/render/table/shadows.py",

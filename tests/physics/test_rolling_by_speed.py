@@ -133,8 +133,8 @@ def test_every_input_has_eleven_digits_of_its_derivative():
 
 def test_every_joule_is_in_the_ledger():
     after = simulate(carom(), "white", SHOT)
-    *_, last = ledger.ledger(after.log)
-    lost = sum(e.energy_lost + e.cloth_lost for e in ledger.ledger(after.log))
+    *_, last = ledger(after.log)
+    lost = sum(e.energy_lost + e.cloth_lost for e in ledger(after.log))
     white = after.log.legs("white")[0]
     assert last.energy == 0.0
     assert lost == pytest.approx(white.energy(after.log.masses[0]), rel=1e-12)
