@@ -12,6 +12,7 @@ import numpy as np
 
 from physics import Ball, Shot, World, laws, scenes, simulate_many, tables
 from physics.world import FEW
+from tests.support.batches import same
 
 
 def crowd(balls: int) -> World:
@@ -65,8 +66,7 @@ def main() -> None:
         compiled, plain = (
             simulate_many(world, ball, shots, compiled=c, contacts=20) for c in (True, False)
         )
-        for a, b in zip(compiled, plain, strict=True):
-            assert np.array_equal(a, b), name
+        assert same(compiled, plain), name
         print(name, int(plain.events.sum()))
     if os.environ.get("NUMBA_BOUNDSCHECK") != "1":
         return  # unchecked, it would crash
