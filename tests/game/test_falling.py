@@ -10,7 +10,7 @@ import pytest
 
 from game.render.table.wells import DEEP, Wells
 from game.session.ticks import TICKS
-from game.ui.table.dropped import AWAY, Hole, fallen
+from game.ui.table.dropped import AWAY, LONGEST, Hole, fallen
 from physics import Ball, Pocket, Shot, World, tables
 from tests.support.pictures import changed, pixels
 from tests.support.stages import TABLES, a_stage, shown
@@ -55,6 +55,11 @@ def test_a_falling_ball_stays_in_the_hole_and_goes_down_without_a_jump(speed):
         assert abs(q - p) <= (speed * 1.01 + 2 * 2.5 * 0.12) / 240 + 1e-9
     assert places[0] == (start, 0.0)
     assert places[-1][1] > DEEP
+
+
+def test_every_fall_is_over_in_time():
+    for speed in (0.0, 0.01, 0.1, 1.0, 10.0):
+        assert fallen(HOLE, R, -0.06 + 0j, complex(speed), 0.5 * LONGEST)[1] > DEEP
 
 
 def test_a_slow_ball_takes_longer_to_tip_over_than_a_fast_one():

@@ -28,6 +28,7 @@ from tests.support.stages import TABLES, a_stage, layout_of, shown
 POOL = tables.pool(9)
 LAYOUT = layout_of(POOL)
 TYPE = Type(1.0)
+(WHOLE,) = (name for name, region in POOL.regions.items() if region.contains((1.0, 0.0)))
 CORNER, *_, SIDE = (plan.holes(POOL)[k] for k in (0, 1, 4))
 BALLS = [tags.Tag((300.0, 250.0), 9.6, "1"), tags.Tag((500.0, 260.0), 9.6, "12")]
 DRAWN = {
@@ -36,7 +37,7 @@ DRAWN = {
     "called": lambda s: pocket_marks.called(s, LAYOUT, CORNER, theme.ACCENT),
     "pill": lambda s: pocket_marks.pill(s, TYPE, "84 %", (400.3, 90.0), theme.ACCENT),
     "kitchen": lambda s: hand.region(s, LAYOUT, POOL, "kitchen"),
-    "bed": lambda s: hand.region(s, LAYOUT, POOL, "bed"),
+    "bed": lambda s: hand.region(s, LAYOUT, POOL, WHOLE),
     "held": lambda s: hand.held(s, (300.3, 200.8), 9.6, 1.0),
     "forbidden": lambda s: hand.forbidden(s, (300.3, 200.8), 9.6, 1.0),
     "tags": lambda s: pygame.Rect.unionall(*(r := tags.draw(s, LAYOUT, TYPE, BALLS))[:1], r[1:]),
@@ -82,7 +83,7 @@ def test_a_regions_border_runs_where_a_ball_may_just_be(table):
     for name, region in table.regions.items():
         for x, y in hand.outline(table, name):
             assert region.contains((x - 1e-7, y)) or region.contains((x + 1e-7, y))
-        if name != "bed":
+        if name != WHOLE:
             surface = background(layout_of(table), table=table)
             before = pixels(surface).astype(int)
             hand.region(surface, layout_of(table), table, name)
@@ -91,7 +92,7 @@ def test_a_regions_border_runs_where_a_ball_may_just_be(table):
             assert (after[x, y] < before[x, y]).all()
 
 
-@pytest.mark.parametrize("region", ["kitchen", "bed", "as it lies"])
+@pytest.mark.parametrize("region", ["kitchen", WHOLE, "as it lies"])
 def test_a_ball_in_hand_shows_the_region_that_the_rules_give_it(region):
     world = POOL.world()
     world.add(Ball("cue", at=(-0.9, 0.0)))

@@ -26,8 +26,11 @@ def draw(surface: pygame.Surface, layout: Layout, table: tables.Table, cloth: Co
     for path in _lines(table) if finish.line else ():
         shown = [layout.to_screen(*p) for p in path]
         lines.polyline(surface, shown, ink, 1.3 * s, 0.50)
+    spots = table.spots
     for name in finish.spots:
-        at = layout.to_screen(*table.spots[name])
+        if name not in spots:
+            continue
+        at = layout.to_screen(*spots[name])
         radius = max(1.1, 0.0045 * layout.scale)
         lines.dot(surface, at, radius, mix(cloth, (0, 0, 0), 0.6), 0.7)
 

@@ -15,7 +15,7 @@ class Finish(NamedTuple):
     brass: is there a lip of brass between leather and wood?
     diamonds: are sights laid into the rails?
     line: is the line of the opening shot drawn on the cloth?
-    spots: names of the spots that are marked.
+    spots: names of the spots that are marked, where there are such.
     """
 
     cloth: str
@@ -28,11 +28,12 @@ class Finish(NamedTuple):
 
 
 TAN, BRASS = rgb("#2A1D14"), rgb("#B58A3C")
+ON_AXIS = ("head", "front", "centre", "foot", "back")
 COLOURS = ("yellow", "green", "brown", "blue", "pink", "black")
 FINISHES = {
     "carom": Finish("blue", spots=("head", "centre", "foot")),
     "pool": Finish("pool", spots=("head", "foot")),
     "snooker": Finish("snooker", TAN, BRASS, True, False, True, COLOURS),
-    "pyramid": Finish("pyramid", TAN, BRASS, True, True, True, ("front", "centre", "back")),
+    "pyramid": Finish("pyramid", TAN, BRASS, True, True, True, ON_AXIS),
 }
 """By `Table.kind`."""

@@ -24,7 +24,8 @@ CLEAR = 0.9
 """How near to the wall of the hole its middle comes, in its own radii."""
 AWAY, FLIES = -1.0, 0.35
 """The height that says that a ball is not to be seen, m; how long one is that left the table, s."""
-Place = tuple[float, float]
+LONGEST = 1.0
+"""Seconds within which every fall is over."""
 
 
 class Hole(NamedTuple):
@@ -52,7 +53,9 @@ class Dropped:
     def falls(self, session: Session) -> bool:
         """Does a ball still fall, though nothing on the table moves?"""
         self.follow(session)
-        if session.timeline.at is not None or session.moving:
+        if session.timeline.at is not None or self._rested is None or not self._events:
+            return False
+        if session.tick - self._rested > LONGEST * TICKS:  # at rest this costs nothing
             return False
         return any(AWAY < spot.height < 0.0 for spot in self.spots(session))
 
