@@ -237,6 +237,10 @@ WORDS = {
     "sheet.won": "won",
     "key.sheet score": "sheet of the match",
     "notice.match.unsaved": "The match cannot be saved",
-    "notice.match.broken": "Saved matches broken · kept as .broken",
+    "notice.match.broken": "Matches broken · kept as .broken",
     "menu.again": "Rematch",
+    "row.lag": "Lag for the break",
+    "reason.lag": "Lag",
+    "reason.lag_bad": "Lag: does not count",
+    "reason.lag_again": "Lag again",
 }

@@ -239,4 +239,8 @@ WORDS = {
     "notice.match.unsaved": "경기를 저장할 수 없습니다",
     "notice.match.broken": "저장된 경기 손상 · .broken으로 남김",
     "menu.again": "다시 한 판",
+    "row.lag": "뱅킹 (선공)",
+    "reason.lag": "뱅킹",
+    "reason.lag_bad": "뱅킹: 무효",
+    "reason.lag_again": "뱅킹 다시",
 }
