@@ -11,7 +11,6 @@ from math import dist
 from typing import NamedTuple
 
 from danggu.players import lagger, observer, spotting
-from danggu.players.hand import REGIONS
 from danggu.players.levels import Level
 from danggu.rules.lag import Lag, winner
 from danggu.rules.match import Match
@@ -142,8 +141,8 @@ class Contest:
 
     @property
     def in_hand(self) -> str:
-        """The region of the table in which the player may place the cue ball now, or ""."""
-        return "" if self._idle else REGIONS.get(self.match.state.region, "")
+        """Where the player may place the cue ball now, as in `GameState.region`, or ""."""
+        return "" if self._idle else self.match.state.region
 
     @property
     def may_call(self) -> frozenset[str]:
