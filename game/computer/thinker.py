@@ -11,6 +11,7 @@ from itertools import count
 from random import Random
 from time import perf_counter
 
+from danggu.players import lagger
 from danggu.players.minds import answer, mind
 from danggu.players.plan import Mind, Plan
 from danggu.rules.match import Match
@@ -88,6 +89,8 @@ class Thinker:
             return self._queue.pop(0)
         if self.session.contest is not None and self.session.contest.match.asked is not None:
             return self._answer()
+        if self.session.contest is not None and self.session.contest.lag is not None:
+            return self._lag()
         self._take_up()
         assert self.mind is not None
         contest, now = self.session.contest, self.session.tick
@@ -190,6 +193,21 @@ class Thinker:
             return None
         self._hurried = False
         return Action("answer", answer(session.world, contest.match, contest.level, self.seed))
+
+    def _lag(self) -> Action | None:
+        """Play for the first stroke, once the table has been seen."""
+        session, contest = self.session, self.session.contest
+        assert contest is not None
+        assert contest.level is not None
+        about = contest.match, session.stamp, id(session.world)
+        if about != self._about:
+            self._about, self._since = about, session.tick
+        if session.tick - self._since < LOOK:
+            return None
+        rng = Random(self.seed + 7 * session.shots)
+        world = session.world.copy()
+        world.engine = EventDriven()
+        return Action("play", _line(lagger.shot(world, session.cue, contest.level, rng)))
 
     def _racks(self) -> bool:
         """Is it time that the computers rack again, with nobody there who could?"""

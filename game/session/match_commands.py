@@ -6,7 +6,7 @@ from cmath import phase
 from dataclasses import replace
 
 from danggu.players.hand import hindrance
-from danggu.rules.state import Call
+from danggu.rules.state import ANYWHERE, Call
 from game.table import placing
 from physics import Pocket, World
 
@@ -143,8 +143,8 @@ def move_in_hand(session: Session, to: tuple[float, float]) -> None:
     region = contest.match.state.region
     why = hindrance(session.world, session.cue, to, region)
     if why is not None:
-        key = f"hand.{region}" if why.why == "region" else f"hand.{why.why}"
-        session.warn(key, about=why.ball)
+        where = "anywhere" if region == ANYWHERE else session.world.table.kind
+        session.warn(f"hand.{where if why.why == 'region' else why.why}", about=why.ball)
         return
     if session.world.ball(session.cue).position == to:
         return

@@ -10,8 +10,9 @@ from dataclasses import dataclass, field, replace
 from math import dist
 from typing import NamedTuple
 
-from danggu.players import observer, spotting
+from danggu.players import lagger, observer, spotting
 from danggu.players.levels import Level
+from danggu.rules.lag import Lag, winner
 from danggu.rules.match import Match
 from danggu.rules.race import Race
 from danggu.rules.state import BREAK, Call
@@ -24,6 +25,8 @@ from . import calls, carom_table, scorecard
 from .scorecard import Card
 from .terms import FREE, HUMAN, SKILLS, START, Terms
 
+LAG = ("2.6", "0", "0", "0")
+"""Speed and spins in the boxes before a lag: about twice the length of the table."""
 HARD = "8"
 """Speed in the boxes before a break, m/s."""
 
@@ -37,6 +40,7 @@ class Standing(NamedTuple):
     race: Race
     lies: tuple[Placed, ...] | None = None
     card: Card = ()
+    lag: tuple[Lag, ...] | None = None
 
 
 @dataclass(slots=True)
@@ -52,6 +56,7 @@ class Contest:
     thinking  is the computer still looking for a better one?
     lies      how the balls lay before the last stroke, None before the first one
     card      the visits to the table so far
+    lag       those played while it is found who begins, None afterwards
     """
 
     terms: Terms
@@ -65,6 +70,7 @@ class Contest:
     thinking: bool = False
     lies: tuple[Placed, ...] | None = None
     card: Card = ()
+    lag: tuple[Lag, ...] | None = None
     _before: Standing | None = None
     _entries: dict[int, list[str]] = field(default_factory=dict)
     _broke: set[int] = field(default_factory=set)
@@ -74,7 +80,8 @@ class Contest:
         """The match of some terms; None for the free table."""
         if terms.game == FREE:
             return None
-        return cls(terms, terms.match(), Race(terms.race, (0,) * len(terms.seats)))
+        lag = () if terms.lag and len(terms.seats) > 1 else None
+        return cls(terms, terms.match(), Race(terms.race, (0,) * len(terms.seats)), lag=lag)
 
     @property
     def level(self) -> Level | None:
@@ -134,15 +141,19 @@ class Contest:
 
     @property
     def in_hand(self) -> str:
-        """The region of the table in which the player may place the cue ball now, or ""."""
-        idle = self.match.finished or self.pending or self.match.asked is not None
-        return "" if idle else self.match.state.region
+        """Where the player may place the cue ball now, as in `GameState.region`, or ""."""
+        return "" if self._idle else self.match.state.region
 
     @property
     def may_call(self) -> frozenset[str]:
         """What the player may declare before the coming stroke: see `calls.allowed`."""
-        idle = self.match.finished or self.pending or self.match.asked is not None
-        return frozenset() if idle else calls.allowed(self.match)
+        return frozenset() if self._idle else calls.allowed(self.match)
+
+    @property
+    def _idle(self) -> bool:
+        """Is there nothing that may be prepared now?"""
+        asked = self.match.asked is not None
+        return self.match.finished or self.pending or asked or self.lag is not None
 
     def call(self, call: Call) -> None:
         """Declare this for the coming stroke; ValueError for what cannot be declared."""
@@ -187,6 +198,9 @@ class Contest:
         """All balls lie still: judge the stroke in the world's log, after which it is the next
         one's turn; returns whether balls have been laid elsewhere."""
         self.pending = False
+        if self.lag is not None:
+            self._lagged(world, self.lag)
+            return True
         before, lay, rack = self.match, world.layout(), self.rack
         done = observer.seen(world, before)
         self._rule(before.ruled(done), before)
@@ -202,23 +216,49 @@ class Contest:
             self.race = self.race.after(self.match.winner)
         return world.layout() != lay
 
+    def open_up(self, world: World) -> None:
+        """Lay all balls for the first stroke, or the one ball for the lag."""
+        if self.lag is not None:
+            lagger.begun(world, self.match)
+        elif self.terms.discipline.position:
+            carom_table.open_up(world, self.match)
+        else:
+            spotting.opened(world, self.match, self.seed)
+
+    def _lagged(self, world: World, before: tuple[Lag, ...]) -> None:
+        """The lag is over, or the other player's turn, or it is played again."""
+        pool = not self.terms.discipline.position
+        lags = (*before, lagger.read(world, self.match.cue, pool=pool))
+        self.verdict = Verdict("lag" if lags[-1].good else "lag_bad")
+        if len(lags) == 1:
+            self.lag, self.match = lags, self.match.passed()
+        elif (best := winner(*lags)) is None:
+            self.lag, self.match = (), self.match.given(0)
+            self.verdict = Verdict("lag_again")
+        else:
+            self.lag, self.match = None, self.match.given(best)
+            self.race = replace(self.race, breaker=best)
+        self.open_up(world)
+
     def _rule(self, verdict: Verdict, before: Match) -> None:
         self.verdict, self.match = verdict, before.after(verdict)
 
     def settled(self, log: Log, now: float) -> Verdict | None:
         """The verdict on the last stroke at a world time, if nothing can change it any more."""
         stroke = self._before
-        if stroke is None:
+        if stroke is None or stroke.lag is not None:
             return None
         so_far = stroke.match.judged(c for c in log.contacts() if c.time <= now)
         return so_far if stroke.match.rules.settles(so_far) else None
 
     def scores(self, log: Log) -> bool:
         """Would the coming stroke score if this were its log?"""
-        return self.match.judged(log.contacts()).made
+        return self.lag is None and self.match.judged(log.contacts()).made
 
     def outcome(self, log: Log) -> Outcome | None:
         """When the coming stroke would be settled if this were its log, and whether by a foul."""
+        if self.lag is not None:
+            return None
         verdict = self.match.judged(log.contacts())
         when = verdict.facts.decided if self.match.rules.settles(verdict) else None
         return None if when is None else Outcome(when, verdict.foul)
@@ -240,6 +280,8 @@ class Contest:
         if self.given or self.level is not None:
             return None
         self.given = True
+        if self.lag is not None:
+            return [*LAG, "0"]
         breaks = self.match.state.phase == BREAK and not self.terms.discipline.points
         start = [HARD, *START[1:]] if breaks else [*START]
         broke = self.match.at in self._broke  # nobody goes on as hard
@@ -260,11 +302,13 @@ class Contest:
 
     def snapshot(self) -> Standing:
         """How the match stands: to be kept before a stroke."""
-        return Standing(self.match, self.verdict, self.shooter, self.race, self.lies, self.card)
+        own = self.match, self.verdict, self.shooter, self.race, self.lies
+        return Standing(*own, self.card, self.lag)
 
     def restore(self, standing: Standing) -> str:
         """Stand again as then; returns the cue ball of the player at the table."""
-        self.match, self.verdict, self.shooter, self.race, self.lies, self.card = standing
+        self.match, self.verdict, self.shooter, self.race, self.lies = standing[:5]
+        self.card, self.lag = standing[5:]
         self.pending, self.given, self.share = False, True, None
         return self.match.cue
 

@@ -6,6 +6,7 @@ import json
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from danggu.rules.lag import Lag
 from danggu.rules.match import Match, Sheet
 from danggu.rules.race import Race
 from danggu.rules.state import Call, GameState, Question
@@ -36,6 +37,7 @@ class Kept(NamedTuple):
     balls: tuple[str, ...]
     layout: tuple[Placed, ...]
     lies: tuple[Placed, ...] | None
+    lag: tuple[Lag, ...] | None
     shots: int
 
 
@@ -59,8 +61,9 @@ def written(contest: Contest, world: World, shots: int) -> str:
     """The match in one line of text; only while the balls lie still."""
     own: dict[str, Any] = {name: getattr(contest.match, name) for name in KEPT}
     names = tuple(ball.name for ball in world.balls)
-    places: dict[str, Any] = {"balls": names, "layout": world.layout(), "lies": contest.lies}
-    own |= {"race": contest.race, "card": contest.card, "shots": shots, **places}
+    places = {"balls": names, "layout": world.layout(), "lies": contest.lies}
+    own |= {name: getattr(contest, name) for name in ("lag", "race", "card")}
+    own |= {"shots": shots, **places}
     kept = Kept(**own)
     data = {"terms": json.loads(contest.terms.line()), "kept": packed(kept)}
     return json.dumps(data, ensure_ascii=False, separators=(",", ":"))

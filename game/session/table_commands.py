@@ -77,6 +77,9 @@ def match(session: Session, text: str) -> None:
         use_cloth(session, wanted.cloth)
     session.contest = Contest.of(wanted)
     if session.contest is not None:
+        if session.contest.lag is not None:
+            session.contest.open_up(session.world)
+            session.put(session.world.layout())
         session.seat()
         session.contest.given = False
         session.give_boxes()
@@ -92,7 +95,7 @@ def resume(session: Session, text: str) -> None:
     lies = dict(zip(kept.balls, kept.layout, strict=True))
     session.put([lies[ball.name] for ball in session.world.balls])
     contest.match, contest.race, contest.card = found.standing, kept.race, kept.card
-    contest.lies, session.shots = kept.lies, kept.shots
+    contest.lies, contest.lag, session.shots = kept.lies, kept.lag, kept.shots
     session.lies = kept.lies or session.world.layout()
     session.history.clear()
     session.seat()

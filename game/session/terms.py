@@ -55,7 +55,8 @@ class Terms:
     """A game, its players and its table; ValueError for what cannot be played.
 
     "table" as a cloth or a law is the one that the table comes with; the house rules of other games
-    than the one played mean nothing. `race` is the racks or frames to win, `seed` draws the racks.
+    than the one played mean nothing. `race` is the racks or frames to win, `lag`: who begins is
+    found by a lag; `seed` draws the racks.
     """
 
     game: str = FREE
@@ -75,6 +76,7 @@ class Terms:
     early: bool = False
     miss: bool = True
     ball_back: str = "minus"
+    lag: bool = False
     seed: int = 0
 
     def __post_init__(self) -> None:
@@ -159,10 +161,10 @@ def _carom(table: str, name: str, *house: str, **how: Any) -> Discipline:
     """A game with three balls; `how` are the fields of its rules that are no house rule."""
 
     def rules(terms: Terms) -> Rules:
-        own = {key: getattr(terms, key) for key in house if key != "equal"}
+        own = {key: getattr(terms, key) for key in house if key not in ("equal", "lag")}
         return GAMES_OF_RULES[name](**own, **how)
 
-    return Discipline(table, THREE_CUSHION, (*house, "equal"), rules, CAROM)
+    return Discipline(table, THREE_CUSHION, (*house, "equal", "lag"), rules, CAROM)
 
 
 def _racked(tables: tuple[str, ...], name: str, *house: str, **more: Any) -> Discipline:
@@ -173,7 +175,7 @@ def _racked(tables: tuple[str, ...], name: str, *house: str, **more: Any) -> Dis
         return GAMES_OF_RULES[name](**{to or ours: getattr(terms, ours) for ours, _, to in own})
 
     race = () if more.get("points") else ("race",)
-    fields_ = (*race, *(key.partition(">")[0] for key in house))
+    fields_ = (*race, *(key.partition(">")[0] for key in house), "lag")
     return Discipline(tables[0], "", fields_, rules, tables, bool(more.get("points")))
 
 
@@ -182,7 +184,7 @@ PYRAMID = ("pyramid",)
 RACES = tuple(range(1, 16))
 HOUSE: dict[str, tuple[Any, ...]] = {
     "finish": FINISHES, "penalty": PENALTIES, "bank": BANKS, "floor": (True, False),
-    "red_first": (True, False), "umb": (True, False), "equal": (True, False),
+    "red_first": (True, False), "lag": (True, False), "umb": (True, False), "equal": (True, False),
     "early": (True, False), "miss": (True, False), "ball_back": (MINUS, GIFT, TAKE),
 }  # fmt: skip
 """What each house rule can be."""
@@ -191,7 +193,7 @@ DISCIPLINES = {
     FOUR_BALL: Discipline(
         "medium",
         SAGU,
-        ("finish", "penalty", "floor", "equal"),
+        ("finish", "penalty", "floor", "equal", "lag"),
         lambda terms: sagu.Sagu(terms.finish, terms.penalty, floor_zero=terms.floor),
         CAROM,
     ),

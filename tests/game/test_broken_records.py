@@ -82,7 +82,7 @@ BROKEN = {
     "another format": (header(format="chess"), "not a record of this game"),
     "a later version": (header(version=2), "version 2"),
     "no setup": (lambda found: found[0].pop("setup"), "line 1"),
-    "an unknown table": (setup(table="snooker"), "snooker"),
+    "an unknown table": (setup(table="moon"), "moon"),
     "an unknown option": (setup(gravity=1.6), "gravity"),
     "a seed that is none": (setup(seed="x"), "seed"),
     "an unknown action": (line(1, do=["dance"]), "dance"),

@@ -69,7 +69,7 @@ def test_a_broken_save_is_refused_and_says_why(path, to, why):
 
 @pytest.mark.parametrize("text", ["", "[]", "{}", "null", '{"terms":{},"kept":{}}', "[" * 9999])
 def test_what_is_no_saved_match_at_all_is_refused(text):
-    with pytest.raises(ValueError, match=r"saved match|terms"):
+    with pytest.raises(ValueError, match=r"saved match|terms|missing"):
         saved.read(text)
 
 

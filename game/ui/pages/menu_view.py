@@ -23,6 +23,8 @@ from .menu_rows import MenuRow
 BUTTONS = ("start", "resume", "shelf", "rules", "help", "settings", "quit")
 ROW, STRIDE = 38, 46
 HEAD = 26
+ROOM = 392
+"""For the rows of a game, above the buttons."""
 ARROW = 30
 LABEL = 132
 SIZE = 15
@@ -81,7 +83,8 @@ def row_rect(rows: Sequence[MenuRow], place: int, layout: Layout) -> pygame.Rect
     index = place - right if column else place
     wide = (area.w - gap) // 2
     groups = max(rows[place].seat, -1) + 1 if column else 0
-    top = area.y + layout.px(HEAD) + layout.px(STRIDE * index + GROUP * groups)
+    stride = min(STRIDE, ROOM / max(right, 1))
+    top = area.y + layout.px(HEAD) + layout.px(stride * index + GROUP * groups)
     return pygame.Rect(area.x + column * (wide + gap), top, wide, layout.px(ROW))
 
 

@@ -143,6 +143,9 @@ def _players(
     for place, line in enumerate(LINES):
         at = (area.x, area.y + (14 + ROW * (place + 1)) * s)
         t.draw(surface, w[f"sheet.{line}"], at, SIZE, theme.TEXT_SOFT)
+    seats = [seat.name for seat in contest.terms.seats if seat.name]
+    if not any(career(name, contest.terms.game).matches for name in seats):
+        return
     for place, line in enumerate(("career", "won", "average", "best", "share")):
         at = (area.x, area.y + (14 + ROW * (len(LINES) + 2 + place)) * s)
         t.draw(surface, w[f"sheet.{line}"], at, SIZE, theme.TEXT_SOFT)

@@ -67,7 +67,7 @@ def _first(sight: Sight, count: int) -> int:
 
 
 def _rect(layout: Layout) -> pygame.Rect:
-    return layout.tip.union(layout.power)
+    return layout.tip.union(layout.thickness)
 
 
 def row_rect(layout: Layout, place: int) -> pygame.Rect:

@@ -76,7 +76,8 @@ def _slot(
     left = [ball for ball in mine if not ball.gone]
     place = next(i for i, ball in enumerate(balls) if ball is mine[0])
     colour = sight.looks[place].body
-    edge = theme.ACCENT if name in targets(session) else theme.LINE_INPUT
+    plain = theme.LINE_INPUT if name.isdigit() else colour
+    edge = theme.ACCENT if name in targets(session) else plain
     down = not left or name == "red"
     shapes.disc(surface, at, radius, colour if down else theme.PANEL, edge, 1.5 * t.s)
     text = str(len(left)) if name == "red" else name if name.isdigit() else ""
