@@ -71,9 +71,14 @@ def _places(world: World, match: Match, eye: Eye) -> Iterator[Point]:
 
     lies = not ball.gone and free(ball.position)
     yield ball.position if lies else usual(world, cue, region)
-    yield from filter(free, _behind(world, match, eye))
+    yield from filter(free, map(_written, _behind(world, match, eye)))
     if region != ANYWHERE:
-        yield from filter(free, _spread(world, region))
+        yield from filter(free, map(_written, _spread(world, region)))
+
+
+def _written(at: Point) -> Point:
+    """The place in tenths of a millimetre, which is how a person would enter it."""
+    return round(at[0], 4), round(at[1], 4)
 
 
 def _behind(world: World, match: Match, eye: Eye) -> Iterator[Point]:
