@@ -28,14 +28,16 @@ if TYPE_CHECKING:
     from .match import Match, Player
     from .stroke import Stroke
     from .verdict import Turn, Verdict
+    from .verdicts import Verdicts
 
 __all__ = [
     "GAMES", "Balkline", "Carom", "EightBall", "Free", "Match", "NineBall", "Player", "Pyramid",
-    "Rules", "Sagu", "Snooker", "StraightPool", "Stroke", "TenBall", "Turn", "Verdict", "stroke",
+    "Rules", "Sagu", "Snooker", "StraightPool", "Stroke", "TenBall", "Turn", "Verdict",
+    "Verdicts", "stroke",
 ]  # fmt: skip
 
 HOMES = {"Match": "match", "Player": "match", "Stroke": "stroke", "Turn": "verdict",
-         "Verdict": "verdict"}  # fmt: skip
+         "Verdict": "verdict", "Verdicts": "verdicts"}  # fmt: skip
 
 GAMES: dict[str, Callable[..., Rules]] = {
     "free": Free,

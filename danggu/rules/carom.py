@@ -5,10 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from math import inf
+from typing import TYPE_CHECKING
 
 from .state import FRESH, GameState, Option, Question
 from .stroke import TIE, Logged, Stroke, stroke
 from .verdict import FEW_CUSHIONS, NO_BALL, OFF_TABLE, ONE_BALL, SAME_INSTANT, Turn, Verdict, facts
+
+if TYPE_CHECKING:
+    from physics import Outcomes
+
+    from .verdicts import Verdicts
 
 CANNON, BANK = "cannon", "bank_cannon"
 OPENING_NOT_RED, OPENING_BANK = "opening_not_red", "opening_bank"
@@ -69,6 +75,11 @@ class Carom:
 
     def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return self.judge(stroke(log, turn.cue), turn)
+
+    def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
+        from .cannons import carom_verdicts
+
+        return carom_verdicts(self, outcomes, turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:
         return self.asked(done, turn, self.cannon(done, turn))

@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from .state import FRESH, GameState
 from .stroke import Logged, Stroke, stroke
 from .verdict import Turn, Verdict, facts
+
+if TYPE_CHECKING:
+    from physics import Outcomes
+
+    from .verdicts import Verdicts
 
 FREE = "free"
 
@@ -41,6 +47,11 @@ class Free:
 
     def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return self.judge(stroke(log, turn.cue), turn)
+
+    def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
+        from .verdicts import alike
+
+        return alike(outcomes, FREE)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:
         return Verdict(FREE, passes=False, facts=facts(done))

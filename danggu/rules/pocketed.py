@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import ClassVar, TypeVar
+from typing import TYPE_CHECKING, ClassVar, TypeVar
 
 from .state import BREAK, KITCHEN, GameState
 from .stroke import Logged, Stroke, stroke
 from .verdict import Turn, Verdict
+
+if TYPE_CHECKING:
+    from physics import Outcomes
+
+    from .verdicts import Verdicts
 
 T = TypeVar("T")
 CUE = "cue"
@@ -38,6 +43,11 @@ class Pocketed:
 
     def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return self.judge(stroke(log, turn.cue), turn)
+
+    def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
+        from .verdicts import one_by_one
+
+        return one_by_one(self.verdict, outcomes, turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:
         raise NotImplementedError

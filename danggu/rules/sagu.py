@@ -7,10 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from .state import FRESH, GameState
 from .stroke import Logged, Stroke, stroke
 from .verdict import FEW_CUSHIONS, OFF_TABLE, SAME_INSTANT, Facts, Turn, Verdict, facts
+
+if TYPE_CHECKING:
+    from physics import Outcomes
+
+    from .verdicts import Verdicts
 
 NONE, LAST_POINT_3C, EXTRA_3C = "none", "last_point_3c", "extra_3c"
 FINISHES = (NONE, LAST_POINT_3C, EXTRA_3C)
@@ -65,6 +71,11 @@ class Sagu:
 
     def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return self.judge(stroke(log, turn.cue), turn)
+
+    def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
+        from .cannons import sagu_verdicts
+
+        return sagu_verdicts(self, outcomes, turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:
         hits = done.hits()

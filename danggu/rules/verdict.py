@@ -5,10 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from math import inf
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from .state import FRESH, NO_CALL, Call, GameState, Question
 from .stroke import Logged, Stroke
+
+if TYPE_CHECKING:
+    from physics import Outcomes
+
+    from .verdicts import Verdicts
 
 # Reasons that every game shares; each is a key of the texts, as all reasons are.
 OFF_TABLE = "off_table"
@@ -132,6 +137,11 @@ class Rules(Protocol):
 
     def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         """The verdict on a stroke, given the log of its events alone, in order of time."""
+        ...
+
+    def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
+        """The verdicts on all shots of a batch, each as `verdict` has it by the contacts that the
+        batch has kept of that shot; ValueError if it has no cue ball of the turn."""
         ...
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:
