@@ -13,7 +13,7 @@ MOST = {"14.1": 250, "snooker": 400, "free-pyramid": 400, "dynamic-pyramid": 500
         "combined-pyramid": 500}  # fmt: skip
 TARGETS = {"14.1": 30}
 CALLED = {"eight_ball", "ten_ball", "straight_pool"}
-RUN_OUT = 32
+RUN_OUT = 46
 """A seed with which a master breaks and runs out in 9-ball."""
 
 
