@@ -115,6 +115,53 @@ def least(passes: list[Pass], part: str) -> list[float]:
     return [min(times) for times in zip(*(getattr(p, part) for p in passes), strict=True)]
 
 
+def break_off(frames: int) -> tuple[list[float], list[int]]:
+    """What drawing the table takes in each frame of a break at 8-ball, and how many balls move."""
+    os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
+    import pygame
+
+    from game.render.layout import Layout
+    from game.session.session import Session
+    from game.session.ticks import TICKS
+    from game.settings.settings import Settings
+    from game.ui.table.stage import Stage
+    from physics import Ball, tables
+
+    table = tables.pool(9)
+    world = table.world()
+    world.add(Ball("cue", at=(-0.98, -0.1)))
+    for ball in table.rack("8-ball", seed=3):
+        world.add(ball)
+    session = Session(world)
+    stage = Stage(Layout((1280, 720), table.length, table.width), session, Settings())
+    surface = pygame.Surface((1280, 720), 0, 32)
+    stage.everything(surface, session)
+    session.aim.texts = ["8", "0", "0", "0", "7.5"]
+    session.strike()
+    drawn, moving = [], []
+    while session.moving and len(drawn) < frames:
+        session.advance(TICKS // 60)
+        stage.follow(session)
+        start = process_time()
+        stage.draw(surface, session)
+        drawn.append(process_time() - start)
+        moving.append(sum(not ball.lies for ball in world.balls))
+    return drawn, moving
+
+
+def rows_of_break(rounds: int, frames: int) -> list[list[Any]]:
+    """Median and worst of drawing the table, by how many balls move."""
+    runs = [break_off(frames) for _ in range(rounds)]
+    times = [min(frame) for frame in zip(*(drawn for drawn, _ in runs), strict=True)]
+    rows = []
+    for least in (1, 8, 12):
+        some = [t for t, n in zip(times, runs[0][1], strict=True) if n >= least]
+        if some:
+            figures = duration(median(some)), duration(max(some))
+            rows.append([f"{least} or more", len(some), *figures])
+    return rows
+
+
 def idle_share(seconds: float) -> float:
     """CPU seconds a second of the game on its real clock, after two seconds' calm."""
     import pygame
@@ -192,6 +239,9 @@ def main(arguments: list[str] | None = None) -> int:
         f" {rounds} runs. A frame at 60 Hz has 16.7 ms."
     )
     page.table(["what", "when", "median", "worst"], rows_of(passes, whole, moving))
+    page.say("The table alone, in a break of sixteen balls at 8-ball, by how many of them move.")
+    crowd = rows_of_break(rounds, (30, 60 * CALM)[effort > 0])
+    page.table(["balls that move", "frames", "median", "worst"], crowd)
     page.say(
         f"Frames drawn: {sum(passes[0].shown)} of {frames}; pixels shown {passes[0].pixels:,},"
         f" against {frames * 1280 * 720:,} if every frame were shown whole."

@@ -19,6 +19,7 @@ from game.render.theme import ACCENT, LILAC, WHITE, BallLook
 from game.session.session import Session
 
 from . import furniture, preview_lines
+from .trail import drawn_until
 
 TAG = 16
 """How far left of and above a trace's beginning its letter stands, px at s = 1."""
@@ -42,7 +43,7 @@ def key(session: Session, aids: str) -> object:
             "shot",
             session.stamp,
             session.began,
-            session.timeline.passed,
+            drawn_until(session),
             session.moving,
             at,
             session.timeline.playing,
@@ -164,7 +165,7 @@ def _traces(
 ) -> Rects:
     """Draw where the balls have run up to the last event, or to the moment on show."""
     log, s = session.world.log, layout.s
-    now = session.timeline.traced
+    now = drawn_until(session)
     rects: Rects = []
     lettered = any(look.dashes for look in looks)
     for name in session.traced:

@@ -36,7 +36,7 @@ class Trail:
 
     def _follow(self, session: Session) -> None:
         """Begin again after an event, a shot or a stop."""
-        since = session.stamp, session.began, session.timeline.passed, session.timeline.runs
+        since = session.stamp, session.began, drawn_until(session), session.timeline.runs
         if since != self._since:
             self._since, self._drawn = since, {}
             self._points = {i: [at] for i, at in _last_places(session).items()}
@@ -59,6 +59,19 @@ class Trail:
         return dirty
 
 
+def drawn_until(session: Session) -> float:
+    """World time up to which traces are drawn properly, s: while the balls run, that of the last
+    event of a ball that leaves one. In a break the others have fifty for each of these."""
+    timeline = session.timeline
+    if not timeline.runs:
+        return timeline.moment
+    events, traced = timeline.events, {*session.traced}
+    for k in range(timeline.passed - 1, -1, -1):
+        if not traced.isdisjoint(events[k].balls):
+            return events[k].time
+    return session.began
+
+
 def _stroke(
     surface: pygame.Surface, start: Place, end: Place, colour: Colour, s: float
 ) -> pygame.Rect:
@@ -78,6 +91,6 @@ def _last_places(session: Session) -> dict[int, Place]:
     """Where the balls that leave a trace were at the last event, or when the shot began."""
     if not session.timeline.runs:
         return {}
-    states = session.world.log.at(session.timeline.traced)
+    states = session.world.log.at(drawn_until(session))
     names, traced = enumerate(ball.name for ball in session.world.balls), session.traced
     return {i: states[name].position for i, name in names if name in traced}
