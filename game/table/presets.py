@@ -106,7 +106,10 @@ def scene_world(name: str) -> World:
     """A scene of the physics package; one without a table gets the thesis's around it."""
     world = SCENES[name]()
     if not {wall.name for wall in world.walls}.issuperset(SIDES):
-        for wall in tables.THESIS.world().walls:
+        own = [*world.walls]
+        for wall in own:
+            world.remove(wall)
+        for wall in (*tables.THESIS.world().walls, *own):  # a scene's own may stand before them
             world.add(wall)
     return world
 
