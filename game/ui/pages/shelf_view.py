@@ -11,12 +11,14 @@ from game.render import theme
 from game.render.layout import Layout
 from game.render.parts import shapes, text_line
 from game.render.parts.text_line import TextLine
+from game.render.table.finish import FINISHES
 from game.render.theme import ACCENT, LINE, LINE_INPUT, PANEL_RAISED, mix
 from game.table import presets
 from game.table.lineup import Lineup
 from game.text.text_field import TextField
 from game.ui.sight import Sight
-from game.ui.table.looks import look
+from game.ui.table.looks import kind_of, looks_of
+from physics import Pocket, World
 
 from . import page_parts
 
@@ -205,12 +207,28 @@ def thumbnail(lineup: Lineup, room: tuple[int, int], colours: str) -> pygame.Sur
     large.fill((*theme.WOOD, 0))
     pygame.draw.rect(large, theme.WOOD, large.get_rect(), border_radius=round(0.05 * fine))
     bed = large.get_rect().inflate(-2 * round(border * fine), -2 * round(border * fine))
-    pygame.draw.rect(large, mix(theme.CLOTHS["blue"], theme.BACKGROUND, 0.15), bed)
+    pygame.draw.rect(large, mix(_cloth(world), theme.BACKGROUND, 0.15), bed)
+    _holes(large, world, fine)
     radii = {ball.name: ball.radius for ball in world.balls}
-    for i, (name, (x, y)) in enumerate(lineup.balls):
+    names = [ball.name for ball in world.balls]
+    looks = dict(zip(names, looks_of(world, colours), strict=True))
+    for name, (x, y) in lineup.balls:
         centre = large.get_width() / 2 + x * fine, large.get_height() / 2 - y * fine
         # larger than life, so that it can be seen
         radius = max(1.25 * radii[name] * fine, 2.6 * FINER)
         pygame.draw.circle(large, theme.BACKGROUND, centre, radius + FINER)
-        pygame.draw.circle(large, look(name, i, colours).body, centre, radius)
+        pygame.draw.circle(large, looks[name].body, centre, radius)
     return pygame.transform.smoothscale(large, px)
+
+
+def _cloth(world: World) -> theme.Colour:
+    return theme.CLOTHS[FINISHES[kind_of(world)].cloth]
+
+
+def _holes(large: pygame.Surface, world: World, fine: float) -> None:
+    """Draw the pockets, if there are any."""
+    for wall in world.walls:
+        if isinstance(wall, Pocket):
+            x, y = wall.at
+            centre = large.get_width() / 2 + x * fine, large.get_height() / 2 - y * fine
+            pygame.draw.circle(large, theme.BACKGROUND, centre, wall.radius * fine)
