@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from . import players as players
     from . import rules as rules
 
-ROOMS = ("players", "rules")
+ROOMS = ("envs", "players", "rules")
 
 
 def __getattr__(name: str) -> Any:
