@@ -41,12 +41,12 @@ def start_leg(i, scene):
     """Ball i goes on from where it is, as it is: how, until when, and where it may come."""
     ball = scene.balls[i]
     lasts = begin(ball, scene.cloth)
-    ball.goal = MISSING
-    if ball.phase == ROLLING and len(scene.bands) > 0:
-        lasts = brake(ball, scene.cloth, scene.bands)
-    if ball.phase == AIRBORNE:
+    phase, ball.goal = ball.phase, MISSING
+    if phase == AIRBORNE:
         lasts = meet_first_aloft(ball, scene.walls, scene.rules, scene.cushion_rule, lasts)
-    elif RESTING < ball.phase < OFF:
+    elif RESTING < phase < OFF:
+        if phase == ROLLING and len(scene.bands) > 0:
+            lasts = brake(ball, scene.cloth, scene.bands)
         if scene.lines:
             lasts = meet_first(ball, scene.walls, lasts)
         else:
@@ -66,10 +66,9 @@ def plan_meetings(i, scene):
     if scene.celled:
         plan_near(i, balls, scene.grid)
         return
-    n = len(balls)
-    ball = balls[i]
+    n, ball = len(balls), balls[i]
     west, east, south, north = ball.west, ball.east, ball.south, ball.north
-    ball.meets, ball.partner = inf, MISSING
+    meets, partner, row = inf, MISSING, n * i
     for j in range(n):
         if j == i:
             continue
@@ -82,12 +81,16 @@ def plan_meetings(i, scene):
             and other.north >= south
         ):
             when = meeting(ball, other)
-        meetings[n * i + j] = meetings[n * j + i] = when
-        if other.partner == i or (when < inf and sooner(when, i, other)):
-            appoint(j, i, when, balls, meetings)
-        if when < ball.meets:
-            ball.meets, ball.partner = when, j
-    ball.next = ball.meets if ball.meets < ball.leg_end else ball.leg_end
+        meetings[row + j] = meetings[n * j + i] = when
+        if when < inf:
+            if other.partner == i or sooner(when, i, other):
+                appoint(j, i, when, balls, meetings)
+            if when < meets:
+                meets, partner = when, j
+        elif other.partner == i:
+            appoint(j, i, inf, balls, meetings)
+    ball.meets, ball.partner = meets, partner
+    ball.next = meets if meets < ball.leg_end else ball.leg_end
 
 
 @kernel

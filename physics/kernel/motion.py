@@ -12,19 +12,22 @@ STILL = 3e-11  # radii/s: what is slower does not move; 1e-12 m/s on a carom tab
 
 @kernel
 def length(z):
-    return sqrt(z.real * z.real + z.imag * z.imag)
+    x, y = z.real, z.imag  # CPython takes longer to read one of them than to square it
+    return sqrt(x * x + y * y)
 
 
 @kernel
 def motion(velocity, roll, cloth):
     """What friction does to a ball: (phase, acceleration, for how long)."""
     slip = velocity - roll
-    speed = sqrt(slip.real * slip.real + slip.imag * slip.imag)  # asked for every leg
+    x, y = slip.real, slip.imag  # `length`, twice, which every leg would call
+    speed = sqrt(x * x + y * y)
     if speed > cloth.still:
         # the slip dies 7/2 times as fast as the speed: 1 from the speed, 5/2 from the spin
         loss = 3.5 * cloth.slide
         return SLIDING, -cloth.slide / speed * slip, speed / loss if loss > 0.0 else inf
-    speed = length(velocity)
+    x, y = velocity.real, velocity.imag
+    speed = sqrt(x * x + y * y)
     if speed > cloth.still:
         loss = cloth.roll
         return ROLLING, -loss / speed * velocity, speed / loss if loss > 0.0 else inf
