@@ -188,9 +188,11 @@ def pool_beside(page: Report, effort: int) -> list[list[Any]]:
     """The section on pool, where pooltool is installed; its numbers."""
     if not find_spec("pooltool"):
         return []
-    from . import peer_pool, peer_pooltool
+    from importlib import import_module
 
-    return peer_pool.compare(page, peer_pooltool.pool(), effort)
+    from . import peer_pool
+
+    return peer_pool.compare(page, import_module("benchmarks.peer_pooltool").pool(), effort)
 
 
 def _angle(degree: float) -> str:

@@ -53,6 +53,8 @@ def __dir__() -> list[str]:
 
 
 for _id, _game in IDS.items():
+    if _id in gymnasium.registry:
+        continue  # imported once before
     gymnasium.register(
         _id,
         entry_point="danggu.envs.single:TableEnv",

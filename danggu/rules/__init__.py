@@ -22,13 +22,12 @@ from .sagu import Sagu
 from .snooker import Snooker
 from .straight_pool import StraightPool
 from .ten_ball import TenBall
-from .verdict import Rules
+from .verdict import Rules, Verdicts
 
 if TYPE_CHECKING:
     from .match import Match, Player
     from .stroke import Stroke
     from .verdict import Turn, Verdict
-    from .verdicts import Verdicts
 
 __all__ = [
     "GAMES", "Balkline", "Carom", "EightBall", "Free", "Match", "NineBall", "Player", "Pyramid",

@@ -7,18 +7,25 @@ from dataclasses import dataclass, replace
 from math import inf
 from typing import TYPE_CHECKING
 
+from .reasons import BANK, CANNON, INTO_CUSHION, OPENING_BANK, OPENING_NOT_RED
 from .state import FRESH, GameState, Option, Question
 from .stroke import TIE, Logged, Stroke, stroke
-from .verdict import FEW_CUSHIONS, NO_BALL, OFF_TABLE, ONE_BALL, SAME_INSTANT, Turn, Verdict, facts
+from .verdict import (
+    FEW_CUSHIONS,
+    NO_BALL,
+    OFF_TABLE,
+    ONE_BALL,
+    SAME_INSTANT,
+    Turn,
+    Verdict,
+    Verdicts,
+    facts,
+)
 
 if TYPE_CHECKING:
     from physics import Outcomes
 
-    from .verdicts import Verdicts
 
-CANNON, BANK = "cannon", "bank_cannon"
-OPENING_NOT_RED, OPENING_BANK = "opening_not_red", "opening_bank"
-INTO_CUSHION = "into_cushion"
 PLAY_ON, RESPOT = "play_on", "respot"
 KEYS = {0: "straight", 1: "one_cushion", 3: "three_cushion"}
 

@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING
 
 from .state import FRESH, GameState
 from .stroke import Logged, Stroke, stroke
-from .verdict import Turn, Verdict, facts
+from .verdict import Turn, Verdict, Verdicts, facts
 
 if TYPE_CHECKING:
     from physics import Outcomes
 
-    from .verdicts import Verdicts
 
 FREE = "free"
 

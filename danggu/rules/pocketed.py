@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, ClassVar, TypeVar
 
 from .state import BREAK, KITCHEN, GameState
 from .stroke import Logged, Stroke, stroke
-from .verdict import Turn, Verdict
+from .verdict import Turn, Verdict, Verdicts
 
 if TYPE_CHECKING:
     from physics import Outcomes
 
-    from .verdicts import Verdicts
 
 T = TypeVar("T")
 CUE = "cue"

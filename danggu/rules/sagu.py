@@ -9,20 +9,17 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from .reasons import BOTH_REDS, BOTH_REDS_3C, NO_RED, ONE_RED, OPPONENT_BALL
 from .state import FRESH, GameState
 from .stroke import Logged, Stroke, stroke
-from .verdict import FEW_CUSHIONS, OFF_TABLE, SAME_INSTANT, Facts, Turn, Verdict, facts
+from .verdict import FEW_CUSHIONS, OFF_TABLE, SAME_INSTANT, Facts, Turn, Verdict, Verdicts, facts
 
 if TYPE_CHECKING:
     from physics import Outcomes
 
-    from .verdicts import Verdicts
 
 NONE, LAST_POINT_3C, EXTRA_3C = "none", "last_point_3c", "extra_3c"
 FINISHES = (NONE, LAST_POINT_3C, EXTRA_3C)
-
-BOTH_REDS, BOTH_REDS_3C, ONE_RED = "both_reds", "both_reds_3c", "one_red"
-NO_RED, OPPONENT_BALL = "no_red", "opponent_ball"
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +68,11 @@ class Sagu:
 
     def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return self.judge(stroke(log, turn.cue), turn)
+
+    @property
+    def extra(self) -> bool:
+        """Is the last stroke one off three cushions that is worth nothing?"""
+        return self.finish == EXTRA_3C
 
     def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
         from .cannons import sagu_verdicts

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from math import inf
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from .state import FRESH, NO_CALL, Call, GameState, Question
 from .stroke import Logged, Stroke
 
 if TYPE_CHECKING:
     from physics import Outcomes
-
-    from .verdicts import Verdicts
 
 # Reasons that every game shares; each is a key of the texts, as all reasons are.
 OFF_TABLE = "off_table"
@@ -112,6 +110,23 @@ class Verdict:
     rack: int = 0
     state: GameState | None = None
     question: Question | None = None
+
+
+class Verdicts(NamedTuple):
+    """What `Rules.verdicts` returns: of each shot what `Verdict` has of it, (shots,) each.
+
+    points: the change of score.
+    made, foul: whether it scored, whether it was a foul.
+    reason: a key of the texts.
+    certain: whether the verdict stands whatever happened after the contacts that were kept; always
+    where none was dropped.
+    """
+
+    points: Any
+    made: Any
+    foul: Any
+    reason: Any
+    certain: Any
 
 
 class Rules(Protocol):

@@ -3,33 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from physics import Outcomes
 
-if TYPE_CHECKING:
-    from .verdict import Turn, Verdict
+from .verdict import Turn, Verdict, Verdicts
 
 PIECE = 4096  # shots that are judged at once: their contacts stay in the processor's cache
-
-
-class Verdicts(NamedTuple):
-    """What `Rules.verdicts` returns: of each shot what `Verdict` has of it, (shots,) each.
-
-    points: the change of score.
-    made, foul: whether it scored, whether it was a foul.
-    reason: a key of the texts.
-    certain: whether the verdict stands whatever happened after the contacts that were kept; always
-    where none was dropped.
-    """
-
-    points: Any
-    made: Any
-    foul: Any
-    reason: Any
-    certain: Any
 
 
 def joined(parts: Sequence[Verdicts]) -> Verdicts:

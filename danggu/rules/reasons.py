@@ -1,0 +1,7 @@
+"""Why a stroke of the cannon games counts or does not: keys of the texts."""
+
+CANNON, BANK = "cannon", "bank_cannon"
+OPENING_NOT_RED, OPENING_BANK = "opening_not_red", "opening_bank"
+INTO_CUSHION = "into_cushion"
+BOTH_REDS, BOTH_REDS_3C, ONE_RED = "both_reds", "both_reds_3c", "one_red"
+NO_RED, OPPONENT_BALL = "no_red", "opponent_ball"
