@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from . import pool
 from .pocketed import NUMBERS, Pocketed, without
 from .state import AS_IT_LIES, BREAK, KITCHEN, PLAY, GameState, Option, Question
 from .stroke import Stroke
 from .verdict import Turn, Verdict, facts
+
+if TYPE_CHECKING:
+    from physics import Outcomes
+
+    from .verdicts import Verdicts
 
 EIGHT = "8"
 SOLIDS, STRIPES = "solids", "stripes"
@@ -38,6 +44,11 @@ class EightBall(Pocketed):
         # while the table is open any ball but the 8, unless only the 8 is left
         own = tuple(b for b in left if (b in GROUPS[group] if group else b != EIGHT))
         return own or (EIGHT,)
+
+    def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
+        from .pots import eight_ball_verdicts
+
+        return eight_ball_verdicts(self, outcomes, turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:
         if turn.state.phase == BREAK:
