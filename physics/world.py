@@ -21,6 +21,7 @@ from .framing import framed
 from .kernel.body import Scene, celled, no_grid, no_ties, twin_scene
 from .kernel.kinds import PHASES
 from .log import Log
+from .openings import bounded
 from .parting import part
 from .pictured import Pictured
 from .places import check_places
@@ -344,7 +345,8 @@ class World(Contents, Pictured):
             fresh, dt = self._walls[self._checked :], getattr(self._engine, "dt", 0.0)
             check_places(self._balls, self._walls, fresh, self.scene.cushion_rule, dt)
             self.trust()
-            self.scene = framed(self.scene)
+            scene = framed(self.scene)
+            self.scene = bounded(scene, self._table is not None)
             if len(self._balls) > FEW:
                 self._disturb()
                 self.scene = celled(self.scene)

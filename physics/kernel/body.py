@@ -229,6 +229,7 @@ class Scene:
     rules: Any = ()  # the law of every wall, if one of them has its own
     frame: Any = ()  # in which only long walls matter, see kernel/obstacle.py
     bands: Any = ()  # of rolling resistance, from the slowest on, if it depends on the speed
+    openings: Any = ()  # through which a ball leaves a table that does not close
 
     def _replace(self, **changes: Any) -> "Scene":
         """A copy with these changes, as of a tuple."""

@@ -26,7 +26,7 @@ from .laws import (
 )
 from .leg import carry, place
 from .motion import length, motion
-from .obstacle import clearance, facing, holds
+from .obstacle import clearance, facing, holds, opposed
 from .subset import complex, inf, kernel, room, sqrt
 from .tilt import tilt, touching_distance
 
@@ -159,12 +159,12 @@ def clings(tie, near, time, held, balls, walls, slide):
 
 @kernel
 def alike(c, ties):
-    """Does another wall hold that contact's ball in nearly the same direction, as at a corner?"""
+    """Does another wall hold that contact's ball from nearly the same direction, or opposite?"""
     tie = ties.contacts[c]
     for k in range(c):
         before = ties.contacts[k]
         same = before.first == tie.first and before.second <= WALL
-        if same and dot(tie.line, before.line) > ALIKE:
+        if same and (dot(tie.line, before.line) > ALIKE or opposed(tie.line, before.line)):
             return True
     return False
 
