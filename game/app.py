@@ -118,11 +118,12 @@ class App:
         self.update(end - self.session.tick)
         if self.replay is None:
             self.perform(self.thinker.think(), human=False)
+            self.perform(self.view.sketch.look(self.session))
         if not (self.options.virtual or self.preferences.audio.silent):
             self._sound()
         changed, thinking = self.view.think(seconds(ticks))
         self.redraw(changed)
-        busy = thinking or self.thinker.on
+        busy = thinking or self.thinker.on or self.view.sketch.searching
         return self.render() or self.stats.inputs != before or busy
 
     # -- handle --------------------------------------------------------------------------------
@@ -335,6 +336,7 @@ class App:
         self.preferences.save()
         if self.journal is not None:
             self.journal.close()
+        self.view.sketch.clear()
         self.preferences.audio.close()
         pygame.display.quit()
 

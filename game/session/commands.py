@@ -55,7 +55,7 @@ def perform(session: Session, action: Action, player: object = None) -> None:
     before = session.snapshot()
     command.do(session, *action.arguments)
     if _is_step(command, session, before.moving) or session.world is not before.world:
-        session.history.note(before, session.snapshot())
+        session.history.note(before, session.snapshot(), writes=command.writes)
     session.did = action.name
     session.version += 1
     session.news += 1
@@ -93,6 +93,8 @@ def _aims(name: str, change: Callable[..., str | None], *how: Any, **more: Any) 
 
 
 _SHOT = numbers('"V FOLLOW MASSE SIDE ANGLE"', len(BOXES))
+RECOVERED = 10
+"""Numbers of the command `recover`, as `aim.drawn_path.Found` has them."""
 _KEY = text("KEY")
 _WAY = whole("WAY", -1, 1)
 TABLE = (
@@ -150,6 +152,10 @@ TABLE = (
             rows=(HelpRow("always", 8, "@both", "key.both"),)),
     Command("arrange", table.arrange, keys=(Key("b"),),
             rows=(HelpRow("play", 11, "@arrange", "key.arrange"),), aims=True),
+    Command("sketch", play.sketch, keys=(Key("g"),),
+            rows=(HelpRow("aim", 9.5, "@sketch", "help.sketch"),), step=False, aims=True),
+    Command("recover", play.recover, numbers('"V FOLLOW MASSE SIDE ANGLE HOW WELL"', RECOVERED),
+            aims=True, writes=True),
     Command("ball", match.next_ball, _WAY, (Key("k", 1, shift=Action("ball", -1)),),
             (HelpRow("aim", 10, "@ball 1 @pocket 1", "help.call"),), aims=True),
     Command("pocket", match.next_pocket, _WAY, (Key("o", 1, shift=Action("pocket", -1)),), (),

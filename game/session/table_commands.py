@@ -152,7 +152,7 @@ def arrange(session: Session) -> None:
     elif session.moving:
         session.refuse("moving")
     else:
-        session.arranging = not session.arranging
+        session.arranging, session.sketching = not session.arranging, False
         session.timeline.shown = False
         session.aim.leave()
 

@@ -31,6 +31,7 @@ from .panels.asked_card import options
 from .panels.parts import Panel, fixed_parts
 from .panels.shot_panels import shot_parts
 from .table.marks import aiming
+from .table.sketch import Sketch
 from .table.stage import Stage
 
 STILL = 0.15
@@ -51,6 +52,7 @@ class View:
         preferences: Preferences | None = None,
     ) -> None:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
+        self.sketch = Sketch()
         self.pages: dict[str, Page] = {
             "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
             "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
@@ -130,6 +132,7 @@ class View:
         self.sight = Sight(self.session, layout, Type(layout.s), *given)
         self.sight.composition = self.composition
         self.stage = Stage(layout, self.session, self.preferences.settings, self.spread)
+        self.stage.sketch = self.sketch
         self.sight.portrait, self.sight.looks = self.stage.sprites.portrait, self.stage.looks
         self.parts = fixed_parts(layout) + shot_parts(layout)
         self._drawn: dict[str, Hashable] = {}

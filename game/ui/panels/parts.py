@@ -11,6 +11,7 @@ from game.aim.entry import BOXES, MINUS, MOST, Fault, shown
 from game.render.layout import Layout
 from game.render.parts import cards, fields, icons
 from game.render.parts.text_line import TextLine
+from game.render.theme import ACCENT, TEXT_SOFT
 from game.session.action import Action
 from game.session.notice import Notice
 from game.session.session import Session
@@ -173,7 +174,7 @@ def hint(session: Session, w: dict[str, str]) -> tuple[str, bool]:
 def _noticed(notice: Notice, session: Session, w: dict[str, str]) -> str:
     names = {"law": w[f"law.{session.law}"], "engine": w[f"engine.{session.engine}"]}
     names["ball"] = ball_words(notice.about, w) if notice.about else ""
-    return w[f"notice.{notice.key}"].format(**names)
+    return w[f"notice.{notice.key}"].format(*notice.about.split(), **names)
 
 
 def _situation(session: Session) -> str:
@@ -215,7 +216,12 @@ def _short_badge(session: Session, w: dict[str, str]) -> str:
     return f"{w['engine.short.' + session.engine]} · {law}"
 
 
-TOOLS = {"menu": Action("sheet", "menu"), "mute": Action("mute"), "settings": Action("settings")}
+TOOLS = {
+    "sketch": Action("sketch"),
+    "menu": Action("sheet", "menu"),
+    "mute": Action("mute"),
+    "settings": Action("settings"),
+}
 """The small buttons at the top right of the card, and what they do."""
 
 
@@ -229,7 +235,8 @@ def _tools(rect: pygame.Rect, sight: Sight) -> dict[str, pygame.Rect]:
 
 
 def _engine_key(sight: Sight) -> Hashable:
-    return badge(sight.session, sight.words), sight.preferences.audio.silent
+    session = sight.session
+    return badge(session, sight.words), sight.preferences.audio.silent, session.sketching
 
 
 def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -240,7 +247,8 @@ def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
     cards.engine(surface, rect, sight.type, first, second, sight.words["corner"], kept=kept)
     pictures = {"mute": "silent" if sight.preferences.audio.silent else "sound"}
     for name, box in _tools(rect, sight).items():
-        icons.draw(surface, box, pictures.get(name, name), sight.layout.s)
+        ink = ACCENT if name == "sketch" and sight.session.sketching else TEXT_SOFT
+        icons.draw(surface, box, pictures.get(name, name), sight.layout.s, ink)
     return rect
 
 
