@@ -56,6 +56,7 @@ def _begin(session: Session, world: World, table: str) -> None:
 def table(session: Session, key: str = "") -> None:
     """Lay the balls on another table, with its own cloth and laws; the engine stays."""
     key = key or equipment.after([*presets.TABLES], session.table)
+    session.page = "" if session.page == "tracks" else session.page
     _begin(session, presets.table_world(key), key)
 
 

@@ -27,6 +27,7 @@ from .pages.rules_page import RulesPage
 from .pages.score_page import ScorePage
 from .pages.settings_page import SettingsPage
 from .pages.shelf import ShelfPage
+from .pages.tracks_page import TracksPage
 from .panels.asked_card import options
 from .panels.parts import Panel, fixed_parts
 from .panels.shot_panels import shot_parts
@@ -52,10 +53,11 @@ class View:
         preferences: Preferences | None = None,
     ) -> None:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
-        self.sketch = Sketch()
+        self.sketch, self.tracks = Sketch(), TracksPage()
         self.pages: dict[str, Page] = {
             "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
             "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
+            "tracks": self.tracks,
         }  # fmt: skip
         self.composition = Composition()
         self.question: Question | None = None
@@ -153,6 +155,8 @@ class View:
         `seconds` have passed since the last time.
         """
         session, spread = self.session, self.spread
+        if self.tracks.running:
+            return self.tracks.think(seconds), True
         if self.stage.dropped.falls(session):
             return True, True
         if not (self.preferences.settings.fan and aiming(session)) or session.preview is None:
