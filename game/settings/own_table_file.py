@@ -29,12 +29,17 @@ class OwnTableFile:
         return self._folder or library.folder()
 
     @property
+    def tracks_folder(self) -> str:
+        """Where files of tracks are looked for; "" for a user without a home."""
+        return "" if self.folder is None else str(self.folder / "tracks")
+
+    @property
     def tracks(self) -> list[Path]:
         """The files in the folder for tracks, by name."""
-        if self.folder is None:
+        if not self.tracks_folder:
             return []
         try:
-            return sorted(p for p in (self.folder / "tracks").iterdir() if p.suffix == ".csv")
+            return sorted(p for p in Path(self.tracks_folder).iterdir() if p.suffix == ".csv")
         except OSError:
             return []
 

@@ -16,6 +16,8 @@ WORDS = {
     "table.own": "My table",
     "tracks.title": "My table",
     "tracks.hint": "Enter fits · ↑ ↓ file · PgUp PgDn table to begin with · Esc closes",
+    "tracks.hint.running": "Enter or Esc stops · the page may be closed meanwhile",
+    "tracks.folder": "Your folder for tracks: {folder}",
     "tracks.box": "Path of a file of tracks (.csv), or of a table (.json): type or paste it",
     "tracks.files": "Files in your folder “tracks”",
     "tracks.nofiles": "Your folder “tracks” is empty",

@@ -16,6 +16,8 @@ WORDS = {
     "table.own": "내 당구대",
     "tracks.title": "내 당구대",
     "tracks.hint": "Enter 맞추기 · ↑ ↓ 파일 · PgUp PgDn 시작할 당구대 · Esc 닫기",
+    "tracks.hint.running": "Enter나 Esc 중지 · 그동안 이 페이지를 닫아도 됩니다",
+    "tracks.folder": "궤적 폴더: {folder}",
     "tracks.box": "궤적 파일(.csv)이나 당구대 파일(.json)의 경로를 입력하거나 붙여 넣으세요",
     "tracks.files": "“tracks” 폴더의 파일",
     "tracks.nofiles": "“tracks” 폴더가 비어 있습니다",

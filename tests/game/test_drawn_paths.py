@@ -160,6 +160,16 @@ def test_a_stroke_ends_drawing_and_forgets_the_path(app, monkeypatch):
     run_to_rest(app)
 
 
+def test_a_button_let_go_outside_the_window_ends_the_path(app, monkeypatch):
+    monkeypatch.setattr("game.ui.table.sketch.Worker", Never)
+    press(app, "g")
+    draw(app, path_of(app.session), release=False)
+    assert app.view.sketch.drawing
+    app.handle(pygame.event.Event(pygame.MOUSEMOTION, pos=(300, 200), buttons=(0, 0, 0)))
+    assert not app.view.sketch.drawing
+    assert app.view.sketch.searching
+
+
 def test_a_record_has_the_shot_that_was_found_and_not_the_search():
     session = Session(presets.table_world("medium"))
     for action in (Action("sketch"), Action("recover", FOUND)):

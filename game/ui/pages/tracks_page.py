@@ -84,7 +84,7 @@ class TracksPage:
         return TracksLook(
             names, self.first, line, self.bases[self.base], self.primary, self.over, self.report,
             self.looking_for, int(self.seconds), self.running, self.said, self.trouble,
-            bool(own), self.key, sight.session.language,
+            bool(own), self.key, self.file.tracks_folder, sight.session.language,
         )  # fmt: skip
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
@@ -124,6 +124,8 @@ class TracksPage:
             return always
         if event.key in ENTER:
             return self.do(self.primary)
+        if self.running:
+            return None
         if event.key in BASES:
             self._step(BASES[event.key])
         elif event.key in STEPS:
@@ -140,6 +142,8 @@ class TracksPage:
             self._changed()
 
     def _type(self, text: str) -> None:
+        if self.running:
+            return
         plain = unicodedata.normalize("NFC", text)
         fits = self.field.type("".join(c for c in plain if c.isprintable()))
         self._changed()
@@ -163,7 +167,7 @@ class TracksPage:
             self._take((now + step) % len(names))
 
     def _take(self, place: int) -> None:
-        if place < len(self.files):
+        if place < len(self.files) and not self.running:
             path = str(self.files[place])
             self.field = TextField(path, LONGEST, anchor=len(path))
             self.first = min(max(self.first, place - FILES + 1), place)

@@ -52,6 +52,7 @@ class TracksLook(NamedTuple):
     trouble      why nothing has come of it, or ""
     own          is there a table to play on?
     key          of a table that can be saved, or ""
+    folder       for tracks, "" without a home
     language     of the texts
     """
 
@@ -69,6 +70,7 @@ class TracksLook(NamedTuple):
     trouble: str
     own: bool
     key: str
+    folder: str
     language: str
 
 
@@ -136,7 +138,8 @@ def spot_at(at: tuple[int, int], sight: Sight) -> TracksSpot:
 def draw(surface: pygame.Surface, sight: Sight, look: TracksLook) -> pygame.Rect:
     """Draw the page and return its rectangle."""
     w, over = sight.words, look.over
-    foot, wrong = w[look.said or "tracks.hint"], look.said.startswith(WRONG)
+    usual = "tracks.hint.running" if look.running else "tracks.hint"
+    foot, wrong = w[look.said or usual], look.said.startswith(WRONG)
     title = w["tracks.title"]
     rect = page_parts.frame(surface, sight, title, foot, wrong, over.kind == "close")
     _box(surface, sight, look)
@@ -202,13 +205,15 @@ def _lines(sight: Sight, look: TracksLook, room: int) -> Iterator[Line]:
         yield w["tracks.running"].format(seconds=look.seconds), 15, theme.TEXT
         if look.looking_for is not None:
             count, names = look.looking_for
-            said = w["tracks.looking"].format(count=count, names=", ".join(names))
+            called = ", ".join(w[f"tracks.{name}"] for name in names)
+            said = w["tracks.looking"].format(count=count, names=called)
             yield from _wrapped(sight, said, room, theme.TEXT_SOFT)
     elif look.report is not None:
         yield from _reported(sight, look.report, room)
     else:
         yield from _wrapped(sight, w["tracks.about"], room, theme.TEXT_SOFT)
         yield from _wrapped(sight, w["tracks.about.2"], room, theme.TEXT_SOFT)
+        yield from _wrapped(sight, w["tracks.folder"].format(folder=look.folder), room, theme.TEXT)
         yield w["tracks.own" if look.own else "tracks.noown"], SIZE, theme.TEXT
 
 
@@ -218,7 +223,7 @@ def _reported(sight: Sight, report: FitReport, room: int) -> Iterator[Line]:
     yield misfit, 15, theme.TEXT
     yield "\t".join(("", w["tracks.before"], w["tracks.found"], "±")), SIZE, theme.TEXT_SOFT
     for row in report.rows:
-        numbers = f"{row.before:.4g}", f"{row.found:.4g}", f"{row.error:.2g}"
+        numbers = (f"{number:.5f}" for number in (row.before, row.found, row.error))
         yield "\t".join((w[f"tracks.{row.name}"], *numbers)), SIZE, theme.TEXT
     for name, why in report.unseen:
         yield w["tracks.unseen"].format(name=w[f"tracks.{name}"]), SIZE, theme.WARNING

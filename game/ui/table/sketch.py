@@ -49,10 +49,10 @@ class Sketch:
             return True
         if not self.drawing:
             return False
-        if event.type == pygame.MOUSEMOTION:
+        if event.type == pygame.MOUSEMOTION and event.buttons[0]:
             self._on(at, session)
-        elif event.button == 1:
-            self._end(session)
+        elif event.type == pygame.MOUSEMOTION or event.button == 1:
+            self._end(session)  # the button may have been let go where nobody saw it
         return True
 
     def _begin(self, at: drawn_path.Place, session: Session) -> None:
