@@ -19,7 +19,8 @@ from game.settings import settings
 from game.settings.own_table_file import OwnTableFile, read
 from game.table import lineup, own_table, presets, table_fit
 from game.table.table_fit import FitReport, FitRow, fitted
-from game.ui.pages import menu_rows
+from game.text import LANGUAGES
+from game.ui.pages import menu_rows, menu_view
 from physics import tables
 from tests.support.players import an_app, press, write
 
@@ -119,6 +120,8 @@ def test_a_match_is_played_on_it_and_the_menu_offers_it():
     at = replace(wanted, table="match")
     assert menu_rows.stepped(at, menu_rows.MenuRow("table"), 1, MINE).table == MINE
     assert menu_rows.stepped(wanted, menu_rows.MenuRow("table"), 1).table == "thesis"
+    words = LANGUAGES["en"]
+    assert menu_view.value_word(menu_rows.MenuRow("table"), wanted, words) == "My table"
 
 
 def test_settings_remember_it_and_pass_over_a_broken_one():
