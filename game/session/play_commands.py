@@ -14,6 +14,9 @@ from .session import Session
 from .ticks import TICKS
 from .timeline import FRAME, LONGEST_SHOT
 
+WHOLE = 99.0
+"""Per cent of a drawn path that is followed, from which on it is called all of it."""
+
 # -- the boxes -----------------------------------------------------------------------------------
 
 
@@ -140,6 +143,26 @@ def intend(session: Session, shot: str) -> None:
         session.aim.leave()
         session.aim.texts = words
         session.aim.finish()
+
+
+def sketch(session: Session) -> None:
+    """Begin or end drawing the path that the cue ball is to take."""
+    if not session.sketching and session.moving:
+        session.refuse("moving")
+        return
+    session.show_aim()
+    session.sketching, session.arranging = not session.sketching, False
+    session.aim.leave()
+
+
+def recover(session: Session, found: str) -> None:
+    """Write the shot that was found for a drawn path into the boxes, and say how well it fits."""
+    if session.ready():
+        numbers, known = found.split()[: len(BOXES)], found.split()[len(BOXES) :]
+        session.aim.texts = numbers
+        _written(session)
+        whole = float(known[-1]) >= WHOLE
+        session.warn(f"sketch.{'found' if whole else 'partly'}", False, " ".join(known))
 
 
 def play(session: Session, shot: str) -> None:

@@ -56,6 +56,7 @@ def _begin(session: Session, world: World, table: str) -> None:
 def table(session: Session, key: str = "") -> None:
     """Lay the balls on another table, with its own cloth and laws; the engine stays."""
     key = key or equipment.after([*presets.TABLES], session.table)
+    session.page = "" if session.page == "tracks" else session.page
     _begin(session, presets.table_world(key), key)
 
 
@@ -152,7 +153,7 @@ def arrange(session: Session) -> None:
     elif session.moving:
         session.refuse("moving")
     else:
-        session.arranging = not session.arranging
+        session.arranging, session.sketching = not session.arranging, False
         session.timeline.shown = False
         session.aim.leave()
 

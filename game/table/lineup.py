@@ -77,7 +77,8 @@ def read(line: str) -> Lineup:
     parts = line.split()
     if len(line) > LONGEST_LINE or not parts or parts[0] != MARK:
         raise LineError("mark", parts[0] if parts else "")
-    if len(parts) < 2 or parts[1] not in (*presets.TABLES, *presets.SCENES):
+    known = len(parts) > 1 and (parts[1] in presets.TABLES or parts[1] in presets.SCENES)
+    if not known:
         raise LineError("table", parts[1] if len(parts) > 1 else "")
     texts: tuple[str, ...] = ()
     if parts[-1].startswith("shot="):

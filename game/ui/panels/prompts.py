@@ -88,6 +88,8 @@ def hint(session: Session) -> str | None:
     contest = session.contest
     if asking(session):
         return "asked.hint"
+    if session.sketching and not session.moving:
+        return "hint.sketch"
     if session.arranging and contest is not None and not contest.match.finished:
         return "hint.hand"
     if session.arranging:
