@@ -295,10 +295,8 @@ def twin_scene(scene: Scene, balls: list[Body]) -> Scene:
     """A copy of the scene, with those records of its balls."""
     n = len(balls)
     grid = twin_grid(scene.grid) if scene.celled else no_grid(n)
-    return Scene(
-        balls, scene.meetings[:], scene.walls[:], scene.cloth, scene.ball_rule, scene.cushion_rule,
-        no_ties(n), scene.celled, grid, scene.lines, scene.rules, scene.frame, scene.bands,
-    )  # fmt: skip
+    meetings, walls = scene.meetings[:], scene.walls[:]
+    return scene._replace(balls=balls, meetings=meetings, walls=walls, ties=no_ties(n), grid=grid)
 
 
 def rows(items: Sequence[Any]) -> Any:

@@ -3,7 +3,7 @@
 import pytest
 
 from physics import Shot, scenes, simulate
-from physics.kernel.body import Packed, Scene
+from physics.kernel.body import Packed, Scene, twin_scene
 
 
 def test_both_forms_of_a_scene_have_the_same_fields_in_the_same_order():
@@ -22,6 +22,14 @@ def test_a_scene_with_a_change_is_another_scene_that_shares_all_else():
 def test_a_scene_refuses_a_change_of_what_it_does_not_have():
     with pytest.raises(ValueError, match="a scene has no ball_rules"):
         scenes.carom().scene._replace(ball_rules=None)
+
+
+def test_a_copy_of_a_scene_has_all_that_the_scene_has():
+    scene = scenes.carom().scene
+    own = {"balls", "meetings", "walls", "ties", "grid", "celled"}
+    marks = {name: object() for name in Scene.__slots__ if name not in own}
+    copy = twin_scene(scene._replace(**marks), scene.balls)
+    assert {name: getattr(copy, name) for name in marks} == marks
 
 
 def test_the_scene_of_a_copy_shares_nothing_that_a_shot_changes():
