@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from danggu.rules import Verdicts
 from danggu.rules.verdict import Turn
-from danggu.rules.verdicts import Verdicts
 from physics import Outcomes, World, simulate_many
 
 from .actions import aims_of, checked

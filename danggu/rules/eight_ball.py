@@ -7,19 +7,17 @@ from typing import TYPE_CHECKING
 
 from . import pool
 from .pocketed import NUMBERS, Pocketed, without
+from .reasons import EIGHT, EIGHT_ON_BREAK, ILLEGAL_BREAK
 from .state import AS_IT_LIES, BREAK, KITCHEN, PLAY, GameState, Option, Question
 from .stroke import Stroke
-from .verdict import Turn, Verdict, facts
+from .verdict import Turn, Verdict, Verdicts, facts
 
 if TYPE_CHECKING:
     from physics import Outcomes
 
-    from .verdicts import Verdicts
 
-EIGHT = "8"
 SOLIDS, STRIPES = "solids", "stripes"
 GROUPS = {SOLIDS: NUMBERS[:7], STRIPES: NUMBERS[8:]}
-ILLEGAL_BREAK, EIGHT_ON_BREAK = "illegal_break", "eight_on_break"
 SPOT_AND_ACCEPT, SPOT_IN_HAND, REBREAK = "spot_and_accept", "spot_in_hand", "rebreak"
 RERACK, RERACK_OFFENDER, IN_HAND_HEAD = "rerack", "rerack_offender", "in_hand_head"
 

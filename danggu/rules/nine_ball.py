@@ -9,12 +9,11 @@ from . import pool
 from .pocketed import NUMBERS, Pocketed, without
 from .state import AS_IT_LIES, BREAK, PLAY, SECOND, GameState
 from .stroke import Stroke
-from .verdict import Turn, Verdict, facts
+from .verdict import Turn, Verdict, Verdicts, facts
 
 if TYPE_CHECKING:
     from physics import Outcomes
 
-    from .verdicts import Verdicts
 
 EDITIONS = (2016, 2025)
 

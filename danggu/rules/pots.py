@@ -7,19 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from . import eight_ball, pool
+from . import pool, reasons
 from .state import BREAK
 from .stroke import TIE
 from .strokes import RAIL, Strokes
-from .verdict import NO_BALL, OFF_TABLE
-from .verdicts import Ruling, Verdicts, joined, pieces
+from .verdict import NO_BALL, OFF_TABLE, Turn, Verdicts
+from .verdicts import Ruling, joined, pieces
 
 if TYPE_CHECKING:
     from physics import Outcomes
-
-    from .nine_ball import NineBall, Rotation
-    from .ten_ball import TenBall
-    from .verdict import Turn
 
 POCKET, LEFT = 3, 4  # kinds of contacts in `physics.Outcomes`
 Faults = list[tuple[Any, str]]
@@ -86,23 +82,23 @@ class Pots(Strokes):
         return found
 
 
-def nine_ball_verdicts(rules: NineBall, outcomes: Outcomes, turn: Turn) -> Verdicts:
+def nine_ball_verdicts(rules: Any, outcomes: Outcomes, turn: Turn) -> Verdicts:
     """As `NineBall.judge` has them."""
     return joined([_nine(rules, piece, turn) for piece in pieces(outcomes)])
 
 
-def ten_ball_verdicts(rules: TenBall, outcomes: Outcomes, turn: Turn) -> Verdicts:
+def ten_ball_verdicts(rules: Any, outcomes: Outcomes, turn: Turn) -> Verdicts:
     """As `TenBall.judge` has them."""
     return joined([_ten(rules, piece, turn) for piece in pieces(outcomes)])
 
 
-def eight_ball_verdicts(rules: eight_ball.EightBall, outcomes: Outcomes, turn: Turn) -> Verdicts:
+def eight_ball_verdicts(rules: Any, outcomes: Outcomes, turn: Turn) -> Verdicts:
     """As `EightBall.judge` has them."""
     judge = _broken if turn.state.phase == BREAK else _eight
     return joined([judge(rules, piece, turn) for piece in pieces(outcomes)])
 
 
-def _nine(rules: NineBall, outcomes: Outcomes, turn: Turn) -> Verdicts:
+def _nine(rules: Any, outcomes: Outcomes, turn: Turn) -> Verdicts:
     done, ruling = _rotation(rules, outcomes, turn)
     won = done.down & done.among((rules.money,))
     ruling.rule(won.any(axis=1), pool.RACK_WON, made=True)
@@ -111,7 +107,7 @@ def _nine(rules: NineBall, outcomes: Outcomes, turn: Turn) -> Verdicts:
     return ruling.verdicts(outcomes, False, False)
 
 
-def _ten(rules: TenBall, outcomes: Outcomes, turn: Turn) -> Verdicts:
+def _ten(rules: Any, outcomes: Outcomes, turn: Turn) -> Verdicts:
     done, ruling = _rotation(rules, outcomes, turn)
     made = done.potted
     if turn.state.phase != BREAK:
@@ -126,7 +122,7 @@ def _ten(rules: TenBall, outcomes: Outcomes, turn: Turn) -> Verdicts:
     return ruling.verdicts(outcomes, False, False)
 
 
-def _rotation(rules: Rotation, outcomes: Outcomes, turn: Turn) -> tuple[Pots, Ruling]:
+def _rotation(rules: Any, outcomes: Outcomes, turn: Turn) -> tuple[Pots, Ruling]:
     """The fouls of 9-ball and 10-ball, and a push out."""
     done, ruling = Pots(outcomes, turn.cue), Ruling(len(outcomes.times))
     pushes = rules.pushes(turn)
@@ -142,13 +138,13 @@ def _rotation(rules: Rotation, outcomes: Outcomes, turn: Turn) -> tuple[Pots, Ru
     return done, ruling
 
 
-def _eight(rules: eight_ball.EightBall, outcomes: Outcomes, turn: Turn) -> Verdicts:
+def _eight(rules: Any, outcomes: Outcomes, turn: Turn) -> Verdicts:
     done, ruling = Pots(outcomes, turn.cue), Ruling(len(outcomes.times))
-    legal, eight = rules.targets(turn), done.among((eight_ball.EIGHT,))
+    legal, eight = rules.targets(turn), done.among((reasons.EIGHT,))
     for where, foul in done.faults(legal):
         ruling.rule(where, foul, foul=True)
     called = done.called(turn)
-    if legal == (eight_ball.EIGHT,):
+    if legal == (reasons.EIGHT,):
         ruling.rule((called & eight).any(axis=1), pool.RACK_WON, made=True)
     ruling.rule((done.gone & eight).any(axis=1), pool.RACK_LOST)
     ruling.rule((called & done.among(legal)).any(axis=1), pool.POTTED, made=True)
@@ -156,17 +152,17 @@ def _eight(rules: eight_ball.EightBall, outcomes: Outcomes, turn: Turn) -> Verdi
     return ruling.verdicts(outcomes, False, False)
 
 
-def _broken(rules: eight_ball.EightBall, outcomes: Outcomes, turn: Turn) -> Verdicts:
+def _broken(rules: Any, outcomes: Outcomes, turn: Turn) -> Verdicts:
     done, ruling = Pots(outcomes, turn.cue), Ruling(len(outcomes.times))
     faults = done.faults()
-    eight = (done.gone & done.among((eight_ball.EIGHT,))).any(axis=1)
+    eight = (done.gone & done.among((reasons.EIGHT,))).any(axis=1)
     illegal = ~eight & ~done.potted & (done.driven < pool.TO_BREAK)
     foul = np.any([where for where, _ in faults], axis=0)
-    ruling.rule(illegal & foul, eight_ball.ILLEGAL_BREAK, foul=True)
-    ruling.rule(illegal, eight_ball.ILLEGAL_BREAK)
+    ruling.rule(illegal & foul, reasons.ILLEGAL_BREAK, foul=True)
+    ruling.rule(illegal, reasons.ILLEGAL_BREAK)
     for where, name in faults:
         ruling.rule(where, name, foul=True)
-    ruling.rule(eight, eight_ball.EIGHT_ON_BREAK)
+    ruling.rule(eight, reasons.EIGHT_ON_BREAK)
     ruling.rule(done.potted, pool.POTTED, made=True)
     ruling.rule(True, pool.MISSED)
     return ruling.verdicts(outcomes, False, False)

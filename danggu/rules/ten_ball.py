@@ -10,12 +10,11 @@ from .nine_ball import Rotation
 from .pocketed import NUMBERS
 from .state import BREAK
 from .stroke import Stroke
-from .verdict import Turn, Verdict, facts
+from .verdict import Turn, Verdict, Verdicts, facts
 
 if TYPE_CHECKING:
     from physics import Outcomes
 
-    from .verdicts import Verdicts
 
 
 @dataclass(frozen=True, slots=True)
