@@ -13,8 +13,6 @@ Tell = Callable[[object], None]
 """With which the work says how far it is."""
 YIELDS = 5
 """By how much nicer than the game it is, for a machine with few cores."""
-PATIENCE = 2.0
-"""Seconds to wait for a process that has been ended."""
 
 
 class News(NamedTuple):
@@ -39,7 +37,7 @@ class Worker:
         theirs.close()
 
     def look(self) -> News | None:
-        """What is new since the last look, if anything; after "done" or "failed" nothing is."""
+        """What is new since the last look, if anything; "done" and "failed" are the last."""
         try:
             if not self._ours.poll():
                 return None
@@ -47,13 +45,12 @@ class Worker:
         except (EOFError, OSError):
             found = News("failed", "the process has ended")
         if found.kind != "told":
-            self.cancel()
+            self._ours.close()  # it ends by itself; waiting for that would take three frames
         return found
 
     def cancel(self) -> None:
-        """End it, whatever it is doing."""
+        """End it, whatever it is doing; what is left of it goes with the next one that begins."""
         self._process.kill()
-        self._process.join(PATIENCE)
         self._ours.close()
 
 

@@ -174,7 +174,7 @@ TABLE = (
             rows=(HelpRow("always", 3, "@settings", "key.settings"),), keeps_notice=True),
     Command("sheet", table.page, one_of("PAGE", PAGES),
             (Key("f4", "shelf", always=True), Key("f5", "rules", always=True),
-             Key("f6", "score", always=True), Key("f7", "tracks", always=True),
+             Key("f6", "score", always=True), Key("f9", "tracks", always=True),
              Key("f10", "menu", always=True),
              Key("escape", "menu")),
             (HelpRow("always", 4, "@sheet shelf", "key.sheet shelf"),

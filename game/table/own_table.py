@@ -12,7 +12,7 @@ from functools import lru_cache
 from math import isfinite
 from typing import Any
 
-from physics.tables import Table
+from physics import tables
 
 MARK = "+"
 PARTS = {"cloth": "cloth", "cushion": "cushion_law", "ball": "ball_law"}
@@ -21,7 +21,7 @@ LONGEST = 1000
 """Characters of a key at most."""
 
 
-class Tables(dict[str, Table]):
+class Tables(dict[str, tables.Table]):
     """Tables by their keys; those of the player's own are known by theirs, and not listed."""
 
     def __contains__(self, key: object) -> bool:
@@ -32,7 +32,7 @@ class Tables(dict[str, Table]):
         except KeyError:
             return False
 
-    def __missing__(self, key: str) -> Table:
+    def __missing__(self, key: str) -> tables.Table:
         known = self.get(base(key))
         if known is None:
             raise KeyError(key)
@@ -53,7 +53,7 @@ def is_own(key: str) -> bool:
 
 
 @lru_cache(maxsize=64)
-def _made(name: str, known: Table, key: str) -> Table:
+def _made(name: str, known: tables.Table, key: str) -> tables.Table:
     """The table that a key names; ValueError says what is wrong with it."""
     if not is_own(key) or len(key) > LONGEST:
         raise ValueError("no such table")
@@ -77,7 +77,7 @@ def _values(key: str) -> Iterator[tuple[str, float]]:
         yield name, number
 
 
-def numbers(table: Table) -> Iterator[tuple[str, float]]:
+def numbers(table: tables.Table) -> Iterator[tuple[str, float]]:
     """Every coefficient that is a number, by its name."""
     for part, attribute in PARTS.items():
         thing: Any = getattr(table, attribute)
@@ -86,7 +86,7 @@ def numbers(table: Table) -> Iterator[tuple[str, float]]:
                 yield f"{part}.{one.name}", number
 
 
-def with_numbers(table: Table, wanted: Mapping[str, float]) -> Table:
+def with_numbers(table: tables.Table, wanted: Mapping[str, float]) -> tables.Table:
     """The table with other coefficients; ValueError, naming it, for one that cannot be."""
     changed: dict[str, Any] = {}
     for part, attribute in PARTS.items():
@@ -95,14 +95,14 @@ def with_numbers(table: Table, wanted: Mapping[str, float]) -> Table:
     return replace(table, **changed)
 
 
-def key_of(table: Table, tables: Mapping[str, Table]) -> str:
+def key_of(table: tables.Table, among: Mapping[str, tables.Table]) -> str:
     """The key of a table: of the first that differs in coefficients alone, and these.
 
     ValueError, naming what it is, for a table that is like none of them.
     """
     there = dict(numbers(table))
     words = [f"{name}={number!r}" for name, number in there.items()]
-    for name, known in tables.items():
+    for name, known in among.items():
         if there.keys() != dict(numbers(known)).keys():
             continue
         if replace(with_numbers(known, there), name=table.name) == table:

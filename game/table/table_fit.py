@@ -6,8 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-from physics import Ball, Fit, Track, World, fit, tracks
-from physics.tables import Table
+from physics import Ball, Fit, Track, World, fit, tables, tracks
 
 from . import own_table, presets
 
@@ -67,7 +66,7 @@ def fitted(tell: Callable[[object], None], path: str, base: str) -> FitReport:
             return _report(found, table, base, unseen)
 
 
-def _read(path: str, table: Table) -> tuple[World, list[Track]]:
+def _read(path: str, table: tables.Table) -> tuple[World, list[Track]]:
     """The table with the balls of the file, and its tracks."""
     if not Path(path).is_file():
         raise ValueError(f"{path}: there is no such file")
@@ -87,7 +86,7 @@ def _unseen(said: str, unknown: list[str]) -> str:
     return next((n for n in unknown for b in begins if said.startswith(f"{b}{n!r}")), "")
 
 
-def _report(found: Fit, table: Table, base: str, unseen: list[tuple[str, str]]) -> FitReport:
+def _report(found: Fit, table: tables.Table, base: str, unseen: list[tuple[str, str]]) -> FitReport:
     values = {name: float(value) for name, value in zip(found.names, found.values, strict=True)}
     errors = dict(zip(found.names, map(float, found.errors), strict=True))
     before = dict(own_table.numbers(table))

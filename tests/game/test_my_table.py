@@ -187,7 +187,7 @@ def app(tmp_path, monkeypatch) -> App:
 
 
 def test_tracks_become_a_table_that_is_saved_and_played_on(app, tmp_path):
-    press(app, "f7", "down", "return")
+    press(app, "f9", "down", "return")
     page = app.view.tracks
     assert page.field.text.endswith("monday.csv")
     app.frame(0)
@@ -203,7 +203,7 @@ def test_tracks_become_a_table_that_is_saved_and_played_on(app, tmp_path):
 
 
 def test_another_path_forgets_what_was_found_for_the_last_one(app):
-    press(app, "f7", "down", "return")
+    press(app, "f9", "down", "return")
     app.frame(0)
     write(app, "/somewhere/else.csv")
     assert app.view.tracks.report is None
@@ -213,7 +213,7 @@ def test_another_path_forgets_what_was_found_for_the_last_one(app):
 def test_a_preset_of_the_command_line_is_read_as_it_is(app, tmp_path):
     preset = tmp_path / "preset.json"
     tables.save(presets.TABLES[MINE], preset)
-    press(app, "f7")
+    press(app, "f9")
     write(app, str(preset))
     press(app, "return", "return")
     assert OwnTableFile(tmp_path).key == MINE
@@ -221,7 +221,7 @@ def test_a_preset_of_the_command_line_is_read_as_it_is(app, tmp_path):
 
 def test_escape_stops_a_fit_and_the_next_one_closes_the_page(app, monkeypatch):
     monkeypatch.setattr(Instant, "look", lambda self: None)
-    press(app, "f7", "down", "return")
+    press(app, "f9", "down", "return")
     worker = app.view.tracks._worker
     press(app, "escape")
     assert worker.ended
@@ -234,7 +234,7 @@ def test_a_broken_saved_table_is_said_to_be_and_kept_beside(app, tmp_path):
     own = tmp_path / "my-table.json"
     own.write_text('{"radius": ')
     page = app.view.tracks
-    press(app, "f7")
+    press(app, "f9")
     assert page.said == "tracks.broken"
     assert "my-table.json" in page.trouble
     press(app, "down", "return")
@@ -248,7 +248,7 @@ def test_a_broken_saved_table_is_said_to_be_and_kept_beside(app, tmp_path):
 def test_a_fit_that_fails_says_why(app, monkeypatch):
     why = "tracks.csv: line 3: 'zero' is no number"
     monkeypatch.setattr(Instant, "look", lambda self: News("failed", why))
-    press(app, "f7", "down", "return")
+    press(app, "f9", "down", "return")
     app.frame(0)
     assert (app.view.tracks.said, app.view.tracks.trouble) == ("tracks.failed", why)
     assert not app.view.tracks.running
@@ -258,7 +258,7 @@ def test_a_fit_that_fails_says_why(app, monkeypatch):
 def test_the_page_is_drawn_in_every_state(app, language, monkeypatch):
     app.perform(Action("language", language))
     monkeypatch.setattr(Instant, "look", lambda self: News("told", (4, ("cloth.slide",))))
-    press(app, "f7", "down", "return")
+    press(app, "f9", "down", "return")
     app.render()
     monkeypatch.undo()
     app.view.tracks._worker = None
