@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import warnings
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import isfinite
 
 from danggu.players.drills import DRILLS, POOL, PYRAMID, SNOOKER
@@ -24,6 +26,9 @@ DOWN = "down"
 TOUCHING = 5e-10
 """Metres by which balls that touch may seem to overlap, for their places are rounded: half of what
 a world lets pass, so that it takes what is taken here."""
+
+UNMADE = (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError)
+"""Raised by a set-up whose world cannot be made: no reason for a game to end."""
 
 
 class LineError(ValueError):
@@ -177,18 +182,29 @@ class Ready:
 
 
 def shelf() -> Iterator[Ready]:
-    """Every ready set-up: the games' positions, openings first, then the physics scenes."""
+    """Every ready set-up: the games' positions, openings first, then the physics scenes.
+
+    One that cannot be made is left out with a RuntimeWarning: the others are still there.
+    """
+    for group, key, make in _makers():
+        try:
+            yield Ready(group, key, make())
+        except UNMADE as error:
+            said = f"set-up {key!r} is left out: {error!r}"
+            warnings.warn(said, RuntimeWarning, stacklevel=2)
+
+
+def _makers() -> Iterator[tuple[str, str, Callable[[], Lineup]]]:
+    """Group and key of each ready set-up, and what makes it."""
     for group, table in (("sagu", "medium"), ("three_cushion", "match")):
-        positions = [opening(group), *(p for p in SHELF if p.game == group)]
-        for position in positions:
-            yield Ready(group, position.key, _of_position(position, table))
-    yield from _racks()
+        for position in [opening(group), *(p for p in SHELF if p.game == group)]:
+            yield group, position.key, partial(_of_position, position, table)
+    for group, key, table, rack in RACKS:
+        yield group, key, partial(_of_rack, table, rack)
     for position in DRILLS:
-        yield Ready(position.game, position.key, _of_drill(position))
+        yield position.game, position.key, partial(_of_drill, position)
     for name in presets.SCENES:
-        world = presets.scene_world(name)
-        balls = tuple((ball.name, ball.position) for ball in world.balls)
-        yield Ready("scenes", name, Lineup(name, balls))
+        yield "scenes", name, partial(_of_scene, name)
 
 
 RACKS = (
@@ -198,13 +214,17 @@ RACKS = (
 TABLES = {POOL: "pool-9", SNOOKER: "snooker", PYRAMID: "pyramid"}
 
 
-def _racks() -> Iterator[Ready]:
-    """The opening of each game with a rack."""
-    for group, key, table, rack in RACKS:
-        world = presets.table_world(table)
-        cue = world.ball("cue").position
-        balls = [(ball.name, ball.position) for ball in world.table.rack(rack)]
-        yield Ready(group, key, Lineup(table, (("cue", cue), *balls)))
+def _of_rack(table: str, rack: str) -> Lineup:
+    """The opening of a game with a rack."""
+    world = presets.table_world(table)
+    cue = world.ball("cue").position
+    balls = [(ball.name, ball.position) for ball in world.table.rack(rack)]
+    return Lineup(table, (("cue", cue), *balls))
+
+
+def _of_scene(name: str) -> Lineup:
+    balls = presets.scene_world(name).balls
+    return Lineup(name, tuple((ball.name, ball.position) for ball in balls))
 
 
 def _of_drill(position: Position) -> Lineup:
