@@ -138,7 +138,7 @@ def _shoot_look(sight: Sight) -> tuple[str, str, str]:
     hot = sight.pointer.over == "shoot"
     state = ("pressed" if sight.pointer.down else "hover") if hot else "idle"
     label, cap, action = prompts.button(session)
-    if action.name in ("fire", "next") and session.aim.shown_faults:
+    if action is None or (action.name in ("fire", "next") and session.aim.shown_faults):
         state = "disabled"
     return w[label], w[cap] if cap else "", state
 
