@@ -246,7 +246,7 @@ class View:
         if mode == self._mode:
             return []
         self._mode = self.sight.mode = mode
-        self.sight.choice = 0
+        self.sight.choice = -1
         for part in self.parts:
             if part.mode:
                 self._drawn.pop(part.name, None)

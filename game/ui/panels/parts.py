@@ -19,7 +19,7 @@ from game.table.own_table import is_own
 from game.ui.sight import Place, Sight
 from game.ui.table.looks import ball_words
 
-from . import prompts, tray
+from . import prompts, tray, warning
 
 WARNINGS = ("miscue",)
 """Notices of something that was put right, so that the shot can be played."""
@@ -138,7 +138,7 @@ def _shoot_look(sight: Sight) -> tuple[str, str, str]:
     hot = sight.pointer.over == "shoot"
     state = ("pressed" if sight.pointer.down else "hover") if hot else "idle"
     label, cap, action = prompts.button(session)
-    if action.name in ("fire", "next") and session.aim.shown_faults:
+    if action is None or (action.name in ("fire", "next") and session.aim.shown_faults):
         state = "disabled"
     return w[label], w[cap] if cap else "", state
 
@@ -193,6 +193,8 @@ def _situation(session: Session) -> str:
 def _hint_look(sight: Sight) -> tuple[str, bool, bool]:
     """The line, whether it is an error, and whether it warns of what is done all the same."""
     notice = sight.session.notice
+    if notice is None and (said := warning.of(sight)):
+        return said, False, True
     return *hint(sight.session, sight.words), notice is not None and notice.key in WARNINGS
 
 
