@@ -2,7 +2,7 @@
 
 from .beginning import lay, strike
 from .body import X, Y
-from .cluster import TOUCHING, blows, collide, crowded, crowded_near, gather
+from .cluster import blows, collide, crowded, crowded_near, gather
 from .contact import meeting
 from .flight import hit_aloft, hit_nose, land
 from .grid import MISSING, locate, pass_by, plan_crossing, plan_near, sooner
@@ -25,14 +25,14 @@ from .kinds import (
 from .lasting import FEW, NEVER, forget, lean, leans, meets_slowly, rests_on
 from .laws import hit_ball, hit_wall, law_at
 from .leg import begin, brake, carry, end, reach
-from .motion import length
 from .notes import note, open_notes
-from .obstacle import facing, holds, meet_any, meet_first, meet_first_aloft, meet_framed
+from .obstacle import facing, meet_any, meet_first, meet_first_aloft, meet_framed
+from .plastic import SQUEEZED
+from .squeeze import clamped, meet_others, release, roll_along
 from .subset import inf, kernel, nan, whole
 
 UNKNOWN = -1
 INSTANT = 1e-8  # s: no contact of real balls is so short; a leg that short goes nowhere
-FACING = 1e-8  # of walls: the length of the sum of their normals when they face each other
 PATIENCE = 16  # how many of them at cushions make a trap
 
 
@@ -47,7 +47,9 @@ def start_leg(i, scene):
     elif RESTING < phase < OFF:
         if phase == ROLLING and len(scene.bands) > 0:
             lasts = brake(ball, scene.cloth, scene.bands)
-        if scene.lines:
+        if ball.trapped >= SQUEEZED:
+            lasts = meet_others(ball, scene.walls, lasts)
+        elif scene.lines:
             lasts = meet_first(ball, scene.walls, lasts)
         else:
             until = meet_framed(ball, scene.walls, scene.frame, lasts)
@@ -197,6 +199,10 @@ def bounce(i, goal, normal, instant, time, scene):
     ball, rule = scene.balls[i], law_at(goal, scene.rules, scene.cushion_rule)
     held = ball.trapped > PATIENCE
     slowly = rests_on(ball, normal, scene.cloth)
+    if (slowly or held) and clamped(ball, goal, scene.walls):
+        forget(ball)
+        roll_along(ball, 1j * normal)
+        return CUSHION, goal
     if held or (slowly and ball.hopped != NEVER):
         what, contacts = stay(i, WALL - goal, time, held, scene)
         if what != NOTHING:
@@ -211,30 +217,6 @@ def bounce(i, goal, normal, instant, time, scene):
     if held:
         release(ball, scene.walls, rule.parting)
     return CUSHION, goal
-
-
-@kernel
-def release(ball, walls, parting):
-    """A ball that rattles between walls too near to tell apart rolls out, along their bisector.
-
-    Between two walls that face each other there is no way out: it rolls on along them.
-    """
-    out, normal = 0j, 1.0 + 0j
-    for k in range(len(walls)):
-        if holds(walls[k], ball.position, ball.radius, TOUCHING * ball.radius):
-            normal = facing(walls[k], ball.position)
-            out += normal
-    size = length(out)
-    faces = size < FACING
-    out = 1j * normal if faces else 1.0 / size * out
-    speed = (out.conjugate() * ball.velocity).real
-    turning = (out.conjugate() * ball.roll).real
-    if not faces:  # and no energy beyond what the floor may give
-        speed = max(speed, parting)
-        turning = min(max(turning, 0.0), speed)
-    ball.velocity, ball.roll = speed * out, turning * out
-    ball.side = 0.0
-    ball.trapped = 0
 
 
 @whole

@@ -15,6 +15,7 @@ from .subset import complex, inf, kernel
 
 LINE, SEGMENT, ARC, POST, POCKET = 0, 1, 2, 3, 4
 NOBODY = -1
+FACING = 1e-8  # the length of the sum of the normals of two walls that face each other
 MARGIN = 1e-4  # radii from the end of a rail, and of the speed across it: above all rounding
 
 
@@ -76,6 +77,12 @@ def facing(wall, p):
         return wall.normal if (wall.inward * p).real >= wall.offset else -wall.normal
     q = p - wall.centre
     return -unit(q) if length(q) <= wall.size else unit(q)
+
+
+@kernel
+def opposed(a, b):
+    """Are two normals those of walls that face each other?"""
+    return length(a + b) < FACING
 
 
 @kernel
@@ -221,7 +228,7 @@ def meet_round(wall, p, v, a, radius, horizon):
         return contact_time(wall.centre - p, -v, -a, wall.size + radius, horizon)
     wait = inf
     if wall.kind == ARC:
-        if radius < wall.size:  # or else it does not fit inside
+        if radius <= wall.size:  # or else it does not fit inside
             wait = meet_inside(wall, p, v, a, wall.size - radius, horizon)
         wait = min(wait, meet_outside(wall, p, v, a, wall.size + radius, horizon))
         horizon = min(horizon, wait)
