@@ -9,6 +9,7 @@ from physics import Ball, Cloth, Shot, Wall, World, laws, scenes
 from .any_tables import breaks, games, images, leaps, noses, rattles, shapes, tips
 from .driven import agitated, drift, landing, pi_digits, rejected, stepped
 from .symmetry import symmetry
+from .tight import tight
 from .trials import (
     BALL_LAWS,
     CUSHION_LAWS,
@@ -247,6 +248,7 @@ FAMILIES: dict[str, tuple[Family, int, int]] = {
     "touching": (touching, 2000, 60),
     "frozen": (frozen, 3000, 100),
     "sandwich": (sandwich, 1500, 60),
+    "tight": (tight, 5000, 60),
     "corners": (corners, 3000, 90),
     "speeds": (speeds, 2600, 39),
     "grazing": (grazing, 5000, 150),

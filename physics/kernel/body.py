@@ -133,6 +133,9 @@ class Blow:
     side: float = 0.0
     climb: float = 0.0
     contacts: int = 0  # of this ball, among those solved together
+    # how it moved before, see kernel/plastic.py
+    kept: complex = 0j
+    kept_roll: complex = 0j
 
 
 @dataclass(slots=True, eq=False)

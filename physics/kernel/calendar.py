@@ -28,7 +28,8 @@ from .leg import begin, brake, carry, end, reach
 from .notes import note, open_notes
 from .obstacle import facing, meet_any, meet_first, meet_first_aloft, meet_framed
 from .opening import leave_through
-from .squeeze import cross, release, room_behind
+from .plastic import SQUEEZED
+from .squeeze import clamped, meet_others, release, roll_along
 from .subset import inf, kernel, nan, whole
 
 UNKNOWN = -1
@@ -47,7 +48,9 @@ def start_leg(i, scene):
     elif RESTING < phase < OFF:
         if phase == ROLLING and len(scene.bands) > 0:
             lasts = brake(ball, scene.cloth, scene.bands)
-        if scene.lines:
+        if ball.trapped >= SQUEEZED:
+            lasts = meet_others(ball, scene.walls, lasts)
+        elif scene.lines:
             lasts = meet_first(ball, scene.walls, lasts)
         else:
             until = meet_framed(ball, scene.walls, scene.frame, lasts)
@@ -199,10 +202,9 @@ def bounce(i, goal, normal, instant, time, scene):
     ball, rule = scene.balls[i], law_at(goal, scene.rules, scene.cushion_rule)
     held = ball.trapped > PATIENCE
     slowly = rests_on(ball, normal, scene.cloth)
-    gap = room_behind(ball, normal, scene.walls) if slowly else inf
-    if gap < inf:
+    if (slowly or held) and clamped(ball, goal, scene.walls):
         forget(ball)
-        cross(ball, normal, gap)
+        roll_along(ball, 1j * normal)
         return CUSHION, goal
     if held or (slowly and ball.hopped != NEVER):
         what, contacts = stay(i, WALL - goal, time, held, scene)

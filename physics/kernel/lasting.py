@@ -9,26 +9,19 @@ is lent: when it comes back with it, nothing rebounds.
 Nor does what is held: a light ball between a heavy one and a cushion hits both again and again,
 losing energy each time, until nothing closes."""
 
+from .apart import hop_apart
 from .body import CONTACTS
 from .cluster import NOISE, TOUCHING, join, pace, seat, touching
 from .coefficients import restitution
 from .grid import neighbours
-from .impulses import PUSH, RUB, WALL, ask, dot, other, parting, slip_between, solve
-from .laws import (
-    CUSTOM_BALL,
-    SMOOTH_BALL,
-    THESIS_BALL,
-    ball_law,
-    grip,
-    law_at,
-    reduced,
-    rigid_cushion,
-)
+from .impulses import WALL, dot, other, parting
+from .laws import law_at
 from .leg import carry, place
 from .motion import length, motion
 from .obstacle import clearance, facing, holds, opposed
-from .subset import complex, inf, kernel, room, sqrt
-from .tilt import tilt, touching_distance
+from .plastic import wedge
+from .subset import inf, kernel, room, sqrt
+from .tilt import touching_distance
 
 FEW = 10  # slow hits of two balls in a row: those of a break have parted before
 HOP = 2e-3  # radii: how far things part that stay together
@@ -159,7 +152,7 @@ def clings(tie, near, time, held, balls, walls, slide):
 
 @kernel
 def alike(c, ties):
-    """Does another wall hold that contact's ball from nearly the same direction, or opposite?"""
+    """Does another wall hold that ball from nearly the same direction, or from the opposite?"""
     tie = ties.contacts[c]
     for k in range(c):
         before = ties.contacts[k]
@@ -279,11 +272,17 @@ def aim(tie, time, most, lasting, least, held, balls, walls, rule):
 
 
 @kernel
+def aside(contacts, balls, ties):
+    """What parts so fast does not come back by rounding, m/s."""
+    return 1e-3 * NOISE * pace(contacts, balls, ties)
+
+
+@kernel
 def aim_all(contacts, time, most, lasting, held, scene):
     """Set it for all contacts, and choose those that have to part: (the highest speed of a hop, how
     many are chosen)."""
     balls, ties = scene.balls, scene.ties
-    least = 1e-3 * NOISE * pace(contacts, balls, ties)
+    least = aside(contacts, balls, ties)
     lent, chosen = 0.0, 0
     for c in range(contacts):
         tie = ties.contacts[c]
@@ -322,79 +321,13 @@ def lean(i, j, time, held, scene):
     for m in range(members):
         carry(balls[ties.member[m]], time, cloth)
     lent, chosen = aim_all(contacts, time, most, lasting, held, scene)
-    if not press_apart(chosen, balls, ties, scene.ball_rule, scene.rules, scene.cushion_rule):
+    hops = hop_apart(members, chosen, scene)
+    if not hops and not wedge(members, contacts, aside(contacts, balls, ties), balls, ties):
         return members, -1
     for m in range(members):
         ball = balls[ties.member[m]]
-        ball.hopped, ball.met, ball.lent = time, i, lent
+        ball.hopped, ball.met, ball.lent = time, i, lent if hops else 0.0
         ball.hops = max(ball.hops, FEW) + 1
-        if held:
+        if held and hops:
             ball.trapped = 0
     return members, contacts
-
-
-@kernel
-def press_apart(chosen, balls, ties, ball_rule, rules, cushion_rule):
-    """Impulses that make the chosen contacts part as they should: pushes, what friction makes of
-    them, and pushes once more against what that has closed."""
-    for stage in range(3):
-        kind, count = PUSH, chosen
-        if stage == 1:
-            kind, count = RUB, ask_rubs(chosen, balls, ties)
-        else:
-            for k in range(chosen):
-                tie = ties.contacts[ties.chosen[k]]
-                ask(PUSH, tie, balls)
-                if stage == 0:
-                    tie.grip = hold(tie, balls, ball_rule)
-        if not solve(kind, count, balls, ties):
-            return False
-        for k in range(chosen):
-            tie = ties.contacts[ties.chosen[k]]
-            if kind == PUSH:
-                tie.total += tie.size * tie.impulse.real
-            elif tie.second <= WALL and tie.total > 0.0:
-                rule = law_at(WALL - tie.second, rules, cushion_rule)
-                brush(balls[tie.first], tie.total, -tie.line, rule)
-    return True
-
-
-@kernel
-def ask_rubs(chosen, balls, ties):
-    """Put the contacts that a push holds together first among the chosen; returns how many."""
-    rubs = 0
-    for k in range(chosen):
-        c = ties.chosen[k]
-        tie = ties.contacts[c]
-        if tie.grip * tie.total > 0.0:
-            ask(RUB, tie, balls)
-            tie.bound = tie.grip * tie.total / tie.size
-            ties.chosen[k], ties.chosen[rubs] = ties.chosen[rubs], c
-            rubs += 1
-    return rubs
-
-
-@kernel
-def hold(tie, balls, rule):
-    """The coefficient of friction that the law has for two balls as they are now; 0 at walls."""
-    if tie.second <= WALL or rule.kind == SMOOTH_BALL or rule.kind == THESIS_BALL:
-        return 0.0
-    a, b, line = balls[tie.first], balls[tie.second], tie.line
-    if rule.kind != CUSTOM_BALL:
-        return grip(slip_between(a, b, line), rule) / tilt(a, b)[0]
-    turn = line.conjugate()
-    v, roll = turn * (a.velocity - b.velocity), turn * (a.roll + b.roll)
-    v = complex(max(v.real, rule.parting), v.imag)
-    push, rub = ball_law(v, roll, a.side + b.side, reduced(a, b), 1.0, rule)
-    return length(rub) / push if push > 0.0 else 0.0
-
-
-@kernel
-def brush(ball, push, normal, rule):
-    """The friction of a cushion that has pushed the ball: the rigid law's, for every law."""
-    inward = normal.conjugate()
-    v, roll = inward * ball.velocity, inward * ball.roll
-    push /= ball.mass * rule.level
-    v, roll, ball.side = rigid_cushion(v, roll, ball.side, push, rule)
-    v -= rule.level * push  # which the ball has felt
-    ball.velocity, ball.roll = normal * v, normal * roll

@@ -228,7 +228,7 @@ def meet_round(wall, p, v, a, radius, horizon):
         return contact_time(wall.centre - p, -v, -a, wall.size + radius, horizon)
     wait = inf
     if wall.kind == ARC:
-        if radius < wall.size:  # or else it does not fit inside
+        if radius <= wall.size:  # or else it does not fit inside
             wait = meet_inside(wall, p, v, a, wall.size - radius, horizon)
         wait = min(wait, meet_outside(wall, p, v, a, wall.size + radius, horizon))
         horizon = min(horizon, wait)

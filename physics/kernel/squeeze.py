@@ -5,36 +5,62 @@ time, as often as there is no room between them; and no impulse makes it part fr
 """
 
 from .cluster import TOUCHING
+from .kinds import CUSHION, DROP
 from .lasting import HOP
 from .motion import length
-from .obstacle import clearance, facing, holds, opposed, unit
-from .subset import inf, kernel
+from .obstacle import ARC, POCKET, facing, holds, opposed, touch, unit
+from .plastic import ROUNDING, SQUEEZED
+from .subset import kernel
 
-CROSSING = 1.0  # s
-DRIFT = 1e-14  # of the speed: above what rounding takes it to a wall with
+NARROW = 3e-5  # radii: between circles it hops on, but not in less room, where it would do so for
+# 100 000 events a second
 
 
 @kernel
-def room_behind(ball, normal, walls):
-    """How far behind a ball the wall is that faces the one it leans on; inf if none is so near that
-    there is no room to hop."""
-    least = inf
+def clamped(ball, goal, walls):
+    """Is there a wall that faces the one it leans on, so near that there is no room to hop?"""
+    wall, p, radius = walls[goal], ball.position, ball.radius
+    inside = within(wall, p)
+    if inside and wall.size - radius <= HOP * radius:
+        return True
+    normal = facing(wall, p)
     for k in range(len(walls)):
-        behind = holds(walls[k], ball.position, ball.radius, HOP * ball.radius)
-        if behind and opposed(facing(walls[k], ball.position), normal):
-            least = min(least, clearance(walls[k], ball.position, ball.radius))
-    return least
+        near = NARROW if inside or within(walls[k], p) else HOP
+        if holds(walls[k], p, radius, near * radius) and opposed(facing(walls[k], p), normal):
+            return True
+    return False
 
 
 @kernel
-def cross(ball, normal, gap):
-    """It rolls on along the walls, and over the gap between them so slowly that it is seldom at
-    one."""
-    roll_along(ball, 1j * normal)
-    if gap > 0.0:
-        over = max(gap / CROSSING, DRIFT * length(ball.velocity)) * normal
-        ball.velocity += over
-        ball.roll += over
+def within(wall, p):
+    """Is the point within the circle of an arc?"""
+    return wall.kind == ARC and length(p - wall.centre) <= wall.size
+
+
+@kernel
+def meet_others(ball, walls, lasts):
+    """The first obstacle that a squeezed ball meets, but for walls that it goes along: rounding
+    alone would take it to those, again and again."""
+    p, v, a, radius = ball.position, ball.velocity, ball.acceleration, ball.radius
+    for k in range(len(walls)):
+        wall = walls[k]
+        if holds(wall, p, radius, HOP * radius) and along(wall, p, v, a):
+            continue
+        wait = touch(wall, p, v, a, radius, lasts)
+        if wait < lasts:
+            lasts, ball.goal = wait, k
+            ball.ending = DROP if wall.kind == POCKET else CUSHION
+    return lasts
+
+
+@kernel
+def along(wall, p, v, a):
+    """Does the motion, but for rounding, not lead into the wall?"""
+    inward = facing(wall, p).conjugate()
+    if within(wall, p):
+        return False
+    out, pull = (inward * v).real, (inward * a).real
+    return out >= -ROUNDING * length(v) and pull >= -ROUNDING * length(a)
 
 
 @kernel
@@ -55,17 +81,21 @@ def release(ball, walls, parting):
     speed = max((out.conjugate() * ball.velocity).real, parting)
     turning = min(max((out.conjugate() * ball.roll).real, 0.0), speed)  # no energy beyond the floor
     go_along(ball, out, speed, turning)
+    ball.trapped = 0
 
 
 @kernel
 def roll_along(ball, way):
-    """It keeps of its motion what is along that way."""
+    """It keeps of its motion what is along that way; nothing, if it was squeezed just now."""
     inward = way.conjugate()
-    go_along(ball, way, (inward * ball.velocity).real, (inward * ball.roll).real)
+    speed, turning = (inward * ball.velocity).real, (inward * ball.roll).real
+    if ball.trapped >= SQUEEZED:
+        speed = turning = 0.0
+    go_along(ball, way, speed, turning)
+    ball.trapped = SQUEEZED
 
 
 @kernel
 def go_along(ball, way, speed, turning):
     ball.velocity, ball.roll = speed * way, turning * way
     ball.side = 0.0
-    ball.trapped = 0

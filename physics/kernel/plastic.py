@@ -1,0 +1,100 @@
+"""What is wedged, so that no impulse makes all its contacts part, rolls on where it may.
+
+Contacts that face each other cannot both open, and those that nearly do could only with a huge
+speed along the little way out. The group then goes on as the nearest motion in which every ball
+rolls and no contact closes: a projection on a convex cone, which never makes energy.
+"""
+
+from .impulses import PUSH, ask, other, parting, solve
+from .motion import length
+from .subset import kernel
+
+SQUEEZED = 1000  # for the count of hits in one instant: it goes along the walls that hold it
+ROUNDING = 1e-12  # of the energy, and of a speed
+
+
+@kernel
+def energy(members, balls, ties):
+    """Of what moves along the cloth and spins, J."""
+    total = 0.0
+    for m in range(members):
+        ball = balls[ties.member[m]]
+        moves, rolls = length(ball.velocity), length(ball.roll)
+        spins = rolls * rolls + ball.side * ball.side
+        total += ball.mass * (0.5 * moves * moves + 0.2 * spins)
+    return total
+
+
+@kernel
+def loan(chosen, balls, ties):
+    """The most that hops may add, J: a row that hops has every ball as fast as all before it."""
+    lent = 0.0
+    for k in range(chosen):
+        tie = ties.contacts[ties.chosen[k]]
+        closing = parting(tie, balls)
+        spare = tie.target * tie.target - closing * closing
+        lent += max(balls[tie.first].mass, balls[other(tie)].mass) * max(spare, 0.0)
+    return chosen * lent
+
+
+@kernel
+def keep(members, balls, ties):
+    """Remember how they move."""
+    for m in range(members):
+        ball, blow = balls[ties.member[m]], ties.blows[ties.member[m]]
+        blow.kept, blow.kept_roll = ball.velocity, ball.roll
+
+
+@kernel
+def wedge(members, contacts, least, balls, ties):
+    """From how they moved before: roll where no contact closes, or if that was done just now, stop.
+
+    No energy comes of it. False if there is no telling.
+    """
+    again = False
+    for m in range(members):
+        again = again or balls[ties.member[m]].trapped >= SQUEEZED
+    if again:
+        stop(members, balls, ties)
+        return True
+    for target in (least, 0.0):
+        turn_to_rolling(members, balls, ties)
+        had = energy(members, balls, ties)
+        solved = part(contacts, target, balls, ties)
+        for m in range(members):
+            ball = balls[ties.member[m]]
+            ball.roll, ball.trapped = ball.velocity, SQUEEZED
+        if solved and energy(members, balls, ties) <= (1.0 + ROUNDING) * had:
+            return True
+    return False
+
+
+@kernel
+def stop(members, balls, ties):
+    for m in range(members):
+        ball = balls[ties.member[m]]
+        ball.velocity, ball.roll, ball.side = 0j, 0j, 0.0
+
+
+@kernel
+def turn_to_rolling(members, balls, ties):
+    """As each would roll by itself; the spin about the vertical is gone."""
+    for m in range(members):
+        ball, blow = balls[ties.member[m]], ties.blows[ties.member[m]]
+        ball.velocity = 1.0 / 7.0 * (5.0 * blow.kept + 2.0 * blow.kept_roll)
+        ball.roll, ball.side = ball.velocity, 0.0
+
+
+@kernel
+def part(contacts, target, balls, ties):
+    """Pushes that open all contacts at least so fast."""
+    for c in range(contacts):
+        tie = ties.contacts[c]
+        ties.chosen[c], tie.target, tie.total = c, target, 0.0
+        ask(PUSH, tie, balls)
+    if not solve(PUSH, contacts, balls, ties):
+        return False
+    for c in range(contacts):
+        tie = ties.contacts[c]
+        tie.total = tie.size * tie.impulse.real
+    return True
