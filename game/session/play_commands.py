@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from game.aim import edit, thickness
 from game.aim.entry import BOXES
 from game.aim.preview import GLIMPSE, rests
+from game.table import presets
 from physics import Placed
 
 from . import moves
@@ -62,11 +63,23 @@ def aimed(change: Callable[..., str | None]) -> Callable[..., None]:
 
     def do(session: Session, *value: object) -> None:
         if session.ready():
+            session.aim.hops = _hops(session)
             if said := change(session.aim, *value):
                 session.warn(said, error=said != edit.MISCUE)
+            _make_room(session)
             _written(session)
 
     return do
+
+
+def _hops(session: Session) -> bool:
+    """Does a raised cue make the ball hop?  Only the exact engine knows balls in the air."""
+    return session.edition >= presets.HOPPING and session.engine == "exact"
+
+
+def _make_room(session: Session) -> None:
+    if _hops(session):
+        edit.make_room(session.aim, session.world, session.cue)
 
 
 def _written(session: Session) -> None:
@@ -94,6 +107,7 @@ def past(wanted: Callable[[float, int], int]) -> Callable[[Session, int], None]:
             session.warn("thickness.blocked")
         elif session.ready():
             session.aim.put(4, angle=angle)
+            _make_room(session)
             _written(session)
 
     return do

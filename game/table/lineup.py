@@ -11,7 +11,8 @@ from math import isfinite
 from danggu.players.drills import DRILLS, POOL, PYRAMID, SNOOKER
 from danggu.players.positions import SAGU, SHELF, Position, opening
 from danggu.players.spotting import take
-from game.aim.entry import BOXES, fault
+from game.aim.entry import BOXES, fault, value
+from game.aim.tip import STEEPEST
 from game.text import LANGUAGES
 from physics import Ball, EventDriven, World
 
@@ -45,7 +46,7 @@ class Lineup:
 
     table  a key of `presets.TABLES` or `presets.SCENES`
     balls  names and places, m
-    texts  the five of a shot, or none
+    texts  the five of a shot, and the elevation of a cue that makes it hop; or none
     down   names of the balls that are off the table
     """
 
@@ -109,9 +110,20 @@ def _ball(word: str) -> tuple[str, Place]:
 
 def _shot(word: str) -> tuple[str, ...]:
     texts = tuple(word.removeprefix("shot=").split(","))
-    if len(texts) != len(BOXES) or any(fault(i, text) for i, text in enumerate(texts)):
+    boxes, raised = texts[: len(BOXES)], texts[len(BOXES) :]
+    if len(boxes) != len(BOXES) or any(fault(i, text) for i, text in enumerate(boxes)):
+        raise LineError("shot", word)
+    if len(raised) > 1 or any(not _elevation(text) for text in raised):
         raise LineError("shot", word)
     return texts
+
+
+def _elevation(text: str) -> bool:
+    """Is it an elevation that a cue can have?"""
+    try:
+        return 0.0 < value(text) <= STEEPEST
+    except ValueError:
+        return False
 
 
 def _check(found: Lineup) -> None:

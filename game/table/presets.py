@@ -60,10 +60,12 @@ CLOTHS: dict[str, Cloth | None] = {
     **{key: tables.CLOTHS[key] for key in ("new", "hall", "worn", "humid")},
 }
 """Conditions of the cloth; "table" is the one that a table comes with."""
-EDITIONS = (1, 2, 3)
-"""Of tables, laws and cloths: a record is played with those of its time, and so comes out the
-same."""
+EDITIONS = (1, 2, 3, 4)
+"""Of tables, laws, cloths and strokes: a record is played with those of its time, and so comes out
+the same."""
 EDITION = EDITIONS[-1]
+HOPPING = 4
+"""The edition from which on a cue that is raised makes the ball hop."""
 FIRST_LAWS = {
     "mathavan": LawSet("mathavan", laws.RoughBall, lambda: laws.MathavanCushion(slide=0.212)),
 }
