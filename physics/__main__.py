@@ -7,6 +7,7 @@ import sys
 from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
+from inspect import getdoc
 from math import hypot, inf
 
 from . import commandline, laws, scenes, tables
@@ -211,12 +212,9 @@ def draw(world: World, other: World | None, options: argparse.Namespace) -> None
     """The picture, titled with the first sentence of the scene."""
     from .studies import plot
 
-    title = (
-        (getattr(scenes.SCENES.get(options.name), "__doc__", None) or options.name)
-        .split("\n")[0]
-        .rstrip(".")
-        .replace("`", "")
-    )
+    said = getdoc(scenes.SCENES[options.name]) if options.name in scenes.SCENES else None
+    first = " ".join((said or options.name).split("\n\n")[0].split())
+    title = first.split(". ")[0].rstrip(".").replace("`", "")
     dashes = word(options.against) if other else ""
     note = f"After {world.time:.2f} s. " + (apart(world, other, dashes) if other else "")
     figure = plot.picture(world, title, note, word(options.engine), other, dashes)
