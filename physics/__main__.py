@@ -7,6 +7,7 @@ import sys
 from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
+from inspect import getdoc
 from math import hypot, inf
 
 from . import commandline, laws, scenes, tables
@@ -25,6 +26,8 @@ LAWS = {
     "thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM_2,
     "medium2": tables.MEDIUM_CAROM_2, "match1": tables.MATCH_CAROM, "match2": tables.MATCH_CAROM_2,
 }  # fmt: skip
+POCKETED = ("pool_9ft", "pool_8ft", "pool_7ft", "snooker_12ft", "pyramid_12ft")
+ENDLESS = {"sinai": 20.0, "stadium": 20.0}  # s: scenes in which nothing ever comes to rest
 CUSHIONS = ("rigid", "mathavan")  # the game's sets of laws: with balls that rub
 STEP, RATE = 1 / 180, 60.0  # s of fixed steps, samples a second, where nothing is said
 SHORTEST, FINEST = 1e-6, 1e6  # s, and samples a second: beyond, a shot takes hours or terabytes
@@ -48,7 +51,10 @@ def main(argv: list[str] | None = None) -> int:
         said = sweep.sweep(world, options)
         print(said, file=sys.stderr)
         return 0
-    except (ValueError, EventBudgetError, ImportError, OSError, MemoryError) as error:
+    except EventBudgetError as error:
+        more = ": --until T plays T seconds" if options.command == "scene" else ""
+        return refuse(f"{str(error).partition(';')[0]}, and no end{more}")
+    except (ValueError, ImportError, OSError, MemoryError) as error:
         return refuse(str(error))
     except KeyboardInterrupt:
         return refuse("stopped")
@@ -106,8 +112,9 @@ def parser() -> argparse.ArgumentParser:
     one = sub.add_parser("scene", help="play a scene and print what happens")
     many = sub.add_parser("sweep", help="play many shots in a scene, each from its beginning")
     fitted = sub.add_parser("fit", help="find coefficients from tracks of real or other strokes")
-    fitting.add_options(fitted, LAWS)
+    fitting.add_options(fitted, [*LAWS, *POCKETED])
     fitted.add_argument("--law", choices=CUSHIONS, help="the cushion's law")
+    until = ", ".join(f"{name}: {time:g}" for name, time in ENDLESS.items())
     engines, sets = ["exact", *SCHEMES], [*LAWS, *CUSHIONS]
     for each in (one, many):
         each.add_argument("name", metavar="NAME", help=f"{', '.join(scenes.SCENES)}, or FILE.json")
@@ -115,7 +122,7 @@ def parser() -> argparse.ArgumentParser:
         each.add_argument("--engine", choices=engines, help="what moves the balls")
         each.add_argument("--dt", type=float, help="s, of fixed steps (1/180)")
     one.add_argument("--against", choices=engines, help="a second engine, dashed in the picture")
-    one.add_argument("--until", type=float, default=inf, help="s; all at rest if not given")
+    one.add_argument("--until", type=float, help=f"s; all at rest if not given ({until})")
     one.add_argument("--rate", type=float, help="samples a second of --csv (60)")
     one.add_argument("--csv", metavar="FILE", help="write times and places (- for the terminal)")
     one.add_argument("--png", metavar="FILE", help="write a picture (needs matplotlib)")
@@ -125,13 +132,24 @@ def parser() -> argparse.ArgumentParser:
 
 def fit(options: argparse.Namespace) -> int:
     """Find the coefficients of a table and print a report."""
-    table = LAWS[options.table]
+    table = called(options.table)
     if options.law:
         law = laws.cushion_law(options.law, table.cushion_law)
         table = replace(table, cushion_law=law)
     for line in fitting.run(options, table):
         print(line)
     return 0
+
+
+def called(name: str) -> tables.Table:
+    """The table of that name, or in that file."""
+    if name in POCKETED:
+        found: tables.Table = getattr(tables, name)().table
+        return found
+    if name not in LAWS and not name.endswith(".json"):
+        known = ", ".join([*LAWS, *POCKETED])
+        raise ValueError(f"no table {name!r}: there are {known}, and files that end in .json")
+    return LAWS[name] if name in LAWS else tables.load(name)
 
 
 def set_laws(world: World, name: str | None) -> None:
@@ -148,7 +166,8 @@ def scene(start: World, options: argparse.Namespace) -> int:
     """Play the scene and write what was asked for."""
     other = start.copy() if options.against else None
     dt = STEP if options.dt is None else options.dt
-    world = played(start, options.engine, dt, options.until)
+    until = ENDLESS.get(options.name, inf) if options.until is None else options.until
+    world = played(start, options.engine, dt, until)
     report(world, options)
     if options.csv:
         write(world, RATE if options.rate is None else options.rate, options.csv)
@@ -211,12 +230,9 @@ def draw(world: World, other: World | None, options: argparse.Namespace) -> None
     """The picture, titled with the first sentence of the scene."""
     from .studies import plot
 
-    title = (
-        (getattr(scenes.SCENES.get(options.name), "__doc__", None) or options.name)
-        .split("\n")[0]
-        .rstrip(".")
-        .replace("`", "")
-    )
+    said = getdoc(scenes.SCENES[options.name]) if options.name in scenes.SCENES else None
+    first = " ".join((said or options.name).split("\n\n")[0].split())
+    title = first.split(". ")[0].rstrip(".").replace("`", "")
     dashes = word(options.against) if other else ""
     note = f"After {world.time:.2f} s. " + (apart(world, other, dashes) if other else "")
     figure = plot.picture(world, title, note, word(options.engine), other, dashes)

@@ -65,8 +65,10 @@ class Cloth:
         In a band the deceleration is constant, so events stay exact; it is chosen so that a ball
         runs exactly as far in it as by the law. The error between is in docs/accuracy.md, "Cloths".
         `roll` becomes the resistance at 1 m/s, and scales all bands.
-        ValueError for a law that is not above zero somewhere, or for too many bands.
+        ValueError for what is no law or not above zero somewhere, or for too many bands.
         """
+        if not callable(law):
+            raise ValueError(f"rolling: law is called with m/s and returns m/s², not {law!r:.60}")
         step, fastest = positive("rolling: step", step), positive("rolling: fastest", fastest)
         count = whole("rolling: fastest / step", round(fastest / step), 1, MOST)
         gravity = positive("rolling: Cloth.gravity", self.gravity)

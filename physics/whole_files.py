@@ -23,6 +23,16 @@ def regular(path: str | os.PathLike[str]) -> Path:
     return real
 
 
+def writable(path: str | os.PathLike[str]) -> Path:
+    """The file that `replace` would write; OSError, with its name, if that must fail."""
+    real = regular(path)
+    if not real.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), os.fspath(path))
+    if real.exists() and not os.access(real, os.W_OK):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), os.fspath(path))
+    return real
+
+
 def replace(path: str | os.PathLike[str], data: bytes) -> None:
     """Put the bytes there, all of them or none; OSError where that cannot be.
 
@@ -30,10 +40,8 @@ def replace(path: str | os.PathLike[str], data: bytes) -> None:
     are kept, and one that may not be written is not replaced. What is written is on the disk
     before it takes the old file's place.
     """
-    real = regular(path)
+    real = writable(path)
     old = os.stat(real) if real.exists() else None
-    if old is not None and not os.access(real, os.W_OK):
-        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), os.fspath(path))
     handle, temporary = _beside(real)
     try:
         with os.fdopen(handle, "wb") as file:

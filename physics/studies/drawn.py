@@ -36,6 +36,7 @@ APART = 0.1  # m along a drawing: nearer points are wrong together
 FINE = 0.01  # m along a path
 TICK = 0.01  # s
 SHORTEST = 0.1  # m: a drawing is longer
+BEGUN, BEGUN_NOISES = 0.25, 10.0  # m, noises: it begins no farther from the ball
 BEND = 3.0  # noises: misses beyond count less
 HABIT = {"speed": (3.0, 1.5), "follow": (0.4, 0.5), "masse": (0.0, 0.1), "side": (0.0, 0.5)}
 """How players strike, mean and deviation: m/s, and for spins shares of the speed."""
@@ -89,8 +90,9 @@ def recover_drawn(
     rests: does the ball come to rest where the drawing ends? Else it may run on.
     given: numbers of the shot that are known; by default the cue is level, so that masse is 0.
 
-    See docs/physics.md, "Recovering a shot from a drawing". ValueError for a path that is none, for
-    an unknown name, if the world has no such ball, or the engine is not EventDriven.
+    See docs/physics.md, "Recovering a shot from a drawing". ValueError for a path that is none or
+    begins elsewhere, for an unknown name, if the world has no such ball, or the engine is not
+    EventDriven.
     """
     if not isinstance(world.engine, EventDriven):
         raise ValueError(f"recover_drawn needs the engine EventDriven, not {world.engine!r}")
@@ -99,8 +101,11 @@ def recover_drawn(
             raise ValueError(f"recover_drawn: given {name!r} is none of {', '.join(NUMBERS)}")
         finite(f"recover_drawn: given {name}", number)
     noise = positive("recover_drawn noise", noise)
-    search = _Search(world, world.ball(ball).name, _points(path, noise), noise, rests, given)
-    return search.found()
+    cue, drawn = world.ball(ball), _points(path, noise)
+    away = abs(complex(drawn[0]) - complex(*cue.position))
+    if not away <= max(BEGUN, BEGUN_NOISES * noise):
+        raise ValueError(f"recover_drawn: path begins {away:.3g} m from ball {cue.name!r}")
+    return _Search(world, cue.name, drawn, noise, rests, given).found()
 
 
 def _points(path: Any, noise: float) -> Points:

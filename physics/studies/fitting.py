@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from physics import tables
+from physics import tables, whole_files
 from physics.ball import Ball
 from physics.checks import finite
 from physics.tables import table_file
@@ -25,10 +25,14 @@ UNKNOWN = "cloth.slide,cloth.roll,cushion.e,cushion.mu"
 MM = 1e3
 
 
-def add_options(one: argparse.ArgumentParser, known: Mapping[str, tables.Table]) -> None:
+def add_options(one: argparse.ArgumentParser, known: Iterable[str]) -> None:
     """What the command `fit` takes."""
     one.add_argument("tracks", metavar="FILE", help="lines of track, time, white x, white y, ...")
-    one.add_argument("--table", choices=known, default="match", help="size, balls, laws (match)")
+    names = ", ".join(known)
+    one.add_argument(
+        "--table", metavar="NAME", default="match",
+        help=f"size, balls, laws (match): {names}, or FILE.json",
+    )  # fmt: skip
     one.add_argument("--unknown", default=UNKNOWN, metavar="NAMES", help=f"to be found ({UNKNOWN})")
     one.add_argument("--share", metavar="NAMES", help="those that are the same in all tracks (all)")
     one.add_argument("--set", default="", metavar="NAME=VALUE,...", help="what to begin with")
@@ -42,6 +46,8 @@ def add_options(one: argparse.ArgumentParser, known: Mapping[str, tables.Table])
 
 def run(options: argparse.Namespace, table: tables.Table) -> Iterator[str]:
     """Fit and write what is wanted; the lines of the report."""
+    for path in filter(None, (options.preset, options.png)):
+        whole_files.writable(path)  # a fit takes long: better now than after it
     world, seen = _read(options, table)
     if not 0 <= options.hold < max(len(seen), 1):
         raise ValueError(f"--hold {options.hold}: there are {len(seen)} tracks")

@@ -11,9 +11,8 @@ from weakref import WeakSet
 
 from physics.engines.engine import Movable
 from physics.log import Event
-from physics.room import inside
-from physics.wall import Obstacle, Wall
 
+from .grounds import CLOTH, FILLED, INK, NOSE, PLANE, RAIL, box, layers, outline, railed
 from .trace import trace
 
 if TYPE_CHECKING:
@@ -22,13 +21,11 @@ if TYPE_CHECKING:
 
 MISSING = "pictures need matplotlib: pip install 'danggu[plot]', or pip install matplotlib"
 RATE = 240  # samples a second of a path
-RAIL = 0.07  # m: the rail around the noses of the cushions
+LONG = 84  # letters: a longer title is smaller
 NAMED = 4  # balls: the legend names no more than these
-PLANE = 10.0  # m: the table, as far as no wall bounds it
-INK, PAPER, CLOTH, WOOD, NOSE = "#1C222B", "#FFFFFF", "#DFEAEF", "#C9AE94", "#5C3B27"
+PAPER = "#FFFFFF"
 BODIES = {"white": "#FFFFFF", "yellow": "#F2B90C", "red": "#D6202F"}
 DARK = {"white": "#4A5561", "yellow": "#9A6F00", "red": "#7E0E19"}
-FILLED = {"pocket": INK, "post": WOOD}
 OTHERS = ("#2A7FB8", "#2E9E5B", "#8A5BC7", "#D9702B", "#159AA0", "#B8478B")
 MARKS = {  # shape, size, word
     "cushion": ("s", 7, "cushion"),
@@ -64,7 +61,10 @@ def picture(
         lay_paths(axes, other, dashed=True)
     lay_paths(axes, world, dashed=False)
     lay_marks(axes, world)
-    figure.text(0.03, 1 - 0.34 / figure.get_figheight(), title, color=INK, size=12, weight="bold")
+    figure.text(
+        0.03, 1 - 0.34 / figure.get_figheight(), title, color=INK, weight="bold",
+        size=12.0 * min(1.0, LONG / max(len(title), 1)),
+    )
     figure.text(0.03, 1 - 0.60 / figure.get_figheight(), note, color=INK, size=10)
     legend(figure, world, engine, dashes)
     return figure
@@ -125,44 +125,36 @@ def save(figure: "Figure", file: str | Path) -> None:
 # -- the table -------------------------------------------------------------------------------------
 
 
-def outline(walls: tuple[Obstacle, ...], out: float = 0.0) -> list[complex]:
-    """The corners of the table, moved out by so many metres: of what lies inside all lines, or of
-    the box around all else, if there are none."""
-    lines = [wall for wall in walls if isinstance(wall, Wall)]
-    if lines or not walls:
-        return inside(lines, PLANE, out)
-    west, east, south, north = box(walls)
-    far = complex(out, out)
-    first, last = complex(west, south) - far, complex(east, north) + far
-    return [first, complex(last.real, first.imag), last, complex(first.real, last.imag)]
-
-
-def box(walls: tuple[Obstacle, ...]) -> tuple[float, float, float, float]:
-    """West, east, south, north of all that is no line."""
-    spots = [spot for wall in walls for spot in wall.curve()]
-    xs, ys = [p.real for p in spots], [p.imag for p in spots]
-    return min(xs), max(xs), min(ys), max(ys)
-
-
 def extent(world: Movable) -> tuple[float, float, float, float]:
     """West, east, south, north of the picture: the table, or the paths if that has no end."""
-    corners = outline(world.walls, RAIL)
-    west, east = min(p.real for p in corners), max(p.real for p in corners)
-    south, north = min(p.imag for p in corners), max(p.imag for p in corners)
-    if world.balls and max(east, -west, north, -south) == PLANE:
-        _, paths = trace(world, RATE)
-        reach = 4 * max(ball.radius for ball in world.balls)
-        west, south = paths.min(axis=(0, 1)) - reach
-        east, north = paths.max(axis=(0, 1)) + reach
+    if railed(world):
+        corners = outline(world, RAIL)
+        west, east = min(p.real for p in corners), max(p.real for p in corners)
+        south, north = min(p.imag for p in corners), max(p.imag for p in corners)
+        if world.balls and max(east, -west, north, -south) == PLANE:
+            west, east, south, north = _reached(world, 4.0)
+    else:
+        west, east, south, north = box(world.walls)
+        if world.balls:  # may be out of there
+            a, b, c, d = _reached(world, 1.0)
+            west, east, south, north = min(a, west), max(b, east), min(c, south), max(d, north)
     return west - 0.02, east + 0.02, south - 0.02, north + 0.02
+
+
+def _reached(world: Movable, radii: float) -> tuple[float, float, float, float]:
+    """West, east, south, north of where balls have been, and so many radii more."""
+    _, paths = trace(world, RATE)
+    reach = radii * max(ball.radius for ball in world.balls)
+    west, south = paths.min(axis=(0, 1)) - reach
+    east, north = paths.max(axis=(0, 1)) + reach
+    return west, east, south, north
 
 
 def lay_table(axes: "Axes", world: Movable) -> None:
     """Rails, cloth and diamonds."""
-    for colour, edge, out in ((WOOD, WOOD, RAIL), (CLOTH, NOSE, 0.0)):
-        corners = outline(world.walls, out)
+    for colour, edge, corners in layers(world):
         axes.fill([p.real for p in corners], [p.imag for p in corners], fc=colour, ec=edge, lw=1.4)
-    corners = outline(world.walls)
+    corners = outline(world)
     lay_obstacles(axes, world)
     if len(corners) != 4 or abs(corners[0]) >= PLANE or not world.scene.lines:
         return

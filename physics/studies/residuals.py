@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .fit import Fit, StrokeFound
-from .plot import INK, PAPER, colours, save
+from .grounds import INK
+from .plot import PAPER, colours, save
 from .tracks import Track
 
 if TYPE_CHECKING:

@@ -7,7 +7,8 @@ from physics.engines.engine import Movable
 from physics.log import Leg
 from physics.wall import Obstacle
 
-from .plot import CLOTH, FILLED, INK, NOSE, RAIL, WOOD, colours, extent, outline
+from .grounds import FILLED, INK, NOSE, layers
+from .plot import colours, extent
 
 WIDTH = 720  # pixels
 MILLI = 1000.0  # units of the picture in a metre
@@ -45,9 +46,8 @@ def _points(corners: list[complex] | tuple[complex, ...]) -> str:
 def _table(world: Movable) -> str:
     """Rails, cloth, and what stands on it."""
     polygons = "".join(
-        f'<polygon points="{_points(outline(world.walls, out))}" fill="{colour}" stroke="{edge}"'
-        ' stroke-width="4"/>'
-        for colour, edge, out in ((WOOD, WOOD, RAIL), (CLOTH, NOSE, 0.0))
+        f'<polygon points="{_points(corners)}" fill="{colour}" stroke="{edge}" stroke-width="4"/>'
+        for colour, edge, corners in layers(world)
     )
     return polygons + "".join(map(_obstacle, world.walls))
 

@@ -3,6 +3,8 @@
 Coefficients are the usual values of their ranges: nobody has published a fit to tracked shots.
 """
 
+from dataclasses import replace
+
 from physics import laws
 from physics.world import World
 
@@ -66,26 +68,46 @@ PYRAMID_12FT = Table(
 )  # fmt: skip
 
 
+# name: of which mouth, and what of it
+SIZES = {
+    "corner_mouth": ("corner", "width"), "side_mouth": ("side", "width"),
+    "shelf": ("corner", "shelf"), "facing": ("corner", "facing"),
+    "side_shelf": ("side", "shelf"), "side_facing": ("side", "facing"),
+}  # fmt: skip
+
+
 def pool_9ft(**sizes: float) -> World:
     """The WPA's 9 ft table; sizes: corner_mouth, side_mouth, shelf, facing and so on, as `pool`."""
-    return pool(9, **sizes).world()
+    return _sized(pool(9), sizes).world()
 
 
 def pool_8ft(**sizes: float) -> World:
     """The WPA's 8 ft table; sizes as `pool` has them."""
-    return pool(8, **sizes).world()
+    return _sized(pool(8), sizes).world()
 
 
 def pool_7ft(**sizes: float) -> World:
     """A 7 ft bar table with the WPA's pockets; sizes as `pool` has them."""
-    return pool(7, **sizes).world()
+    return _sized(pool(7), sizes).world()
 
 
-def snooker_12ft() -> World:
-    """The 12 ft snooker table; its pockets are approximate."""
-    return SNOOKER_12FT.world()
+def snooker_12ft(**sizes: float) -> World:
+    """The 12 ft snooker table; its pockets are approximate. Sizes are named as those of `pool`."""
+    return _sized(SNOOKER_12FT, sizes).world()
 
 
-def pyramid_12ft() -> World:
-    """The 12 ft table of Russian pyramid."""
-    return PYRAMID_12FT.world()
+def pyramid_12ft(**sizes: float) -> World:
+    """The 12 ft table of Russian pyramid; sizes are named as those of `pool`."""
+    return _sized(PYRAMID_12FT, sizes).world()
+
+
+def _sized(table: Table, sizes: dict[str, float]) -> Table:
+    """The table with pockets of these sizes; TypeError, with those that there are, for others."""
+    for name in sizes.keys() - SIZES.keys():
+        raise TypeError(f"{table.name} has no size {name!r}: there are {', '.join(SIZES)}")
+    pockets = table.pockets
+    for name, value in sizes.items():
+        which, part = SIZES[name]
+        mouth: Mouth = replace(getattr(pockets, which), **{part: value})
+        pockets = replace(pockets, **{which: mouth})  # type: ignore[type-var]
+    return replace(table, pockets=pockets) if sizes else table
