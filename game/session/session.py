@@ -108,7 +108,7 @@ class Session:
         self.warn(f"refused.{why}")
 
     def muse(self, thinking: bool, share: float | None) -> None:
-        """Show how far the computer has thought, and the share of its strokes that would score."""
+        """Show how far the computer has thought, and the share of its strokes that come off."""
         if self.contest is not None:
             self.contest.thinking = thinking
             self.contest.share = self.contest.share if share is None else share
