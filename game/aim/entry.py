@@ -61,6 +61,7 @@ class Aim:
     box       the one being edited, None in play
     complete  may RETURN shoot?  Once for each entry
     wrong     has an entry been refused, and no good shot followed yet?
+    strongest  speed to which it can be raised by hand, m/s: the boxes take any
     left      boxes that have been left since editing began: only their faults are shown
     _held     the tip point that was set last, and what the first four boxes were then given
     """
@@ -70,6 +71,7 @@ class Aim:
     complete: bool = True
     wrong: bool = False
     left: set[int] = field(default_factory=set)
+    strongest: float = 8.0
     _edited: TextField = field(default_factory=TextField)
     _held: tuple[Tip, list[str]] | None = None
 

@@ -73,7 +73,7 @@ class Session:
         self.contest: Contest | None = None
         self.arranging = self.sketching = False
         """Are balls placed by hand, `held_ball` the next?  Is the cue ball's path drawn?"""
-        self.aim = Aim()
+        self.aim = Aim(strongest=edit.strongest(world))
         self.law, self.cloth = presets.law_of(world), "table"
         self.timeline = Timeline(world, world.time, stamp=self.timeline.stamp)
         self.notice: Notice | None = None
