@@ -58,6 +58,8 @@ def _idle(found: Found) -> Iterator[str]:
         yield f"{_said(found, *lost)}: needs --game {rules}"
     elif "finish" in found and "finish" not in terms.DISCIPLINES[str(game)].house:
         yield f"{_said(found, 'finish')}: needs --game {terms.FOUR_BALL}"
+    elif "handicap" in found and not terms.DISCIPLINES[str(game)].points:
+        yield f"{_said(found, 'handicap')}: --game {game} is won by racks or frames, not points"
 
 
 def _said(found: Found, *names: str) -> str:

@@ -183,7 +183,8 @@ def _add_match(parser: argparse.ArgumentParser) -> None:
         metavar="LEVELS",
         help=f"who plays: {', '.join(terms.SEATS)}; for each, or last",
     )
-    add("--handicap", metavar="POINTS", help="points to reach, for each player or for all (10)")
+    goals = "points to reach, for each player or for all (10); not in games won by racks"
+    add("--handicap", metavar="POINTS", help=goals)
     add("--finish", choices=terms.FINISHES, help="how a game of 4-ball ends (extra_3c)")
 
 

@@ -17,7 +17,9 @@ from .preview import Preview
 from .tip import LIMIT, STEEPEST, Tip
 
 WEAKEST, STRONGEST = 0.05, 8.0
-"""Ends of what can be set by hand, m/s: a ball that hardly moves, and a hard break."""
+"""Ends of what can be set by hand, m/s: a ball that hardly moves, and a hard shot of carom."""
+BREAKS = {"pool": 13.0, "pyramid": 13.0}
+"""What can be set by hand on tables of these kinds instead: a hard break."""
 CENTRE = Tip(0.0, 0.0)
 """In the middle, with a level cue; also where a tip point begins that is not known yet."""
 BEND = 1.6
@@ -26,14 +28,19 @@ MISCUE = "miscue"
 """Said where a tip point has been brought back to the ring: all the same it can be played."""
 
 
-def share(speed: float) -> float:
-    """How much of the power bar a speed fills: 1 at STRONGEST."""
-    return float((speed / STRONGEST) ** (1.0 / BEND))
+def strongest(world: World) -> float:
+    """The speed at the end of the power bar of a world's table, m/s."""
+    return BREAKS.get(getattr(world.table, "kind", ""), STRONGEST)
 
 
-def speed_at(part: float) -> float:
-    """The speed at a part of the power bar, m/s."""
-    return max(WEAKEST, STRONGEST * float(min(max(part, 0.0), 1.0) ** BEND))
+def share(speed: float, most: float = STRONGEST) -> float:
+    """How much of the power bar a speed fills: 1 at `most`."""
+    return float((speed / most) ** (1.0 / BEND))
+
+
+def speed_at(part: float, most: float = STRONGEST) -> float:
+    """The speed at a part of the power bar that ends at `most`, m/s."""
+    return max(WEAKEST, most * float(min(max(part, 0.0), 1.0) ** BEND))
 
 
 def put(aim: Aim, value: str) -> None:
@@ -53,7 +60,7 @@ def turn(aim: Aim, value: str) -> None:
 def power(aim: Aim, value: str) -> None:
     """Set the speed along the cue, m/s: with a level one the ball's. The tip stays where it is, so
     the spins follow the speed."""
-    aim.speed(min(max(float(value), WEAKEST), STRONGEST))
+    aim.speed(min(max(float(value), WEAKEST), aim.strongest))
 
 
 def push(aim: Aim, value: str) -> None:

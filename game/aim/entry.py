@@ -67,6 +67,7 @@ class Aim:
     box       the one being edited, None in play
     complete  may RETURN shoot?  Once for each entry
     wrong     has an entry been refused, and no good shot followed yet?
+    strongest  speed to which it can be raised by hand, m/s: the boxes take any
     left      boxes that have been left since editing began: only their faults are shown
     hops      does a cue that is raised by hand make the ball hop?
     forced    the elevation that the cue was given for want of room, and the one it had before
@@ -78,6 +79,7 @@ class Aim:
     complete: bool = True
     wrong: bool = False
     left: set[int] = field(default_factory=set)
+    strongest: float = 8.0
     hops: bool = True
     forced: tuple[str, float] | None = None
     _edited: TextField = field(default_factory=TextField)

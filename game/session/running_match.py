@@ -51,7 +51,7 @@ class Contest:
     shooter   index of the player who made it
     pending   has a stroke yet to be judged?
     given     does the player at the table have the boxes?  They hold the last stroke until then
-    share     of strokes like the one intended that would score, for the picture: the computer's
+    share     of strokes like the one intended that would come off, for the picture: the computer's
     thinking  is the computer still looking for a better one?
     lies      how the balls lay before the last stroke, None before the first one
     card      the visits to the table so far

@@ -73,7 +73,7 @@ class Session:
         self.contest: Contest | None = None
         self.arranging = self.sketching = False
         """Are balls placed by hand, `held_ball` the next?  Is the cue ball's path drawn?"""
-        self.aim = Aim()
+        self.aim = Aim(strongest=edit.strongest(world))
         self.law, self.cloth = presets.law_of(world), "table"
         self.timeline = Timeline(world, world.time, stamp=self.timeline.stamp)
         self.notice: Notice | None = None
@@ -108,7 +108,7 @@ class Session:
         self.warn(f"refused.{why}")
 
     def muse(self, thinking: bool, share: float | None) -> None:
-        """Show how far the computer has thought, and the share of its strokes that would score."""
+        """Show how far the computer has thought, and the share of its strokes that come off."""
         if self.contest is not None:
             self.contest.thinking = thinking
             self.contest.share = self.contest.share if share is None else share

@@ -95,7 +95,7 @@ WORDS = {
     "notice.failed": "the engine failed, balls put back",
     "notice.budget": "too many hits at once, stopped",
     "wrong": "wrong input · {box}: {why}",
-    "wrong.mended": "wrong input · mended, Enter",
+    "wrong.mended": "Corrected · press Enter again",
     "fault": "{box}: {why}",
     "why.empty": "empty",
     "why.number": "not a number",

@@ -95,7 +95,7 @@ WORDS = {
     "notice.failed": "계산 오류로 공을 되돌렸습니다",
     "notice.budget": "충돌이 너무 많아 멈췄습니다",
     "wrong": "입력 오류 · {box}: {why}",
-    "wrong.mended": "입력 오류 · 고침, Enter",
+    "wrong.mended": "고쳤습니다 · Enter를 다시 누르세요",
     "fault": "{box}: {why}",
     "why.empty": "비어 있음",
     "why.number": "숫자가 아님",

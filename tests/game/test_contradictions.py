@@ -5,6 +5,7 @@ from itertools import combinations
 import pytest
 
 from game import options
+from game.contradictions import contradiction
 from game.__main__ import new_game
 from game.options import Options
 from game.settings.settings import Settings
@@ -158,3 +159,10 @@ def test_what_was_chosen_for_one_table_is_not_taken_to_another(name):
 
 def test_the_free_table_is_the_one_that_was_chosen():
     assert Settings(table="match").applied(options.read(["--game", "free"])).table == "match"
+
+
+@pytest.mark.parametrize("game", ["8-ball", "9-ball", "10-ball", "snooker", "free-pyramid"])
+def test_a_handicap_is_refused_by_games_that_are_won_by_racks(game):
+    assert "is won by racks or frames" in contradiction({"game": game, "handicap": "5"})
+    for other in ("14.1", "four-ball", "three-cushion"):
+        assert not contradiction({"game": other, "handicap": "5"})

@@ -62,7 +62,7 @@ def shown(**places):
 def test_a_ball_that_is_not_on_is_named_before_the_shot():
     app = shown(cue=(-0.5, 0.0), b1=(0.5, 0.3), b9=(0.5, 0.0))
     app.perform(Action("set", "speed 2 angle 0"))
-    assert the_hint(app) == ("Not on: ball 9 would be hit first", False, True)
+    assert the_hint(app) == ("Not on: ball 9 is hit first", False, True)
     app.perform(Action("set", "speed 0.3 angle 180"))
     assert the_hint(app)[0] == "No ball is hit"
     app.perform(Action("set", "angle 16.7"))

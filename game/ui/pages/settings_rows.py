@@ -9,7 +9,7 @@ from game.session.action import Action
 from game.session.commands import COMMANDS
 from game.session.session import Session
 from game.settings.settings import CHOICES, LOUDEST, Settings
-from game.table.presets import CAROM, LAWS
+from game.table.presets import CAROM, LAWS, POOL
 
 
 class SettingsRow(NamedTuple):
@@ -28,7 +28,7 @@ class SettingsRow(NamedTuple):
 
 
 SWITCH = ("off", "on")
-FREE_TABLES = (*CAROM, "pool-9", "snooker", "pyramid")
+FREE_TABLES = (*CAROM, *POOL, "snooker", "pyramid")
 """As many as there is room for; the menu has them all."""
 CHOSEN: tuple[SettingsRow, ...] = (
     SettingsRow("language", "choice", CHOICES["language"]),

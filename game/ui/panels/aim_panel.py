@@ -7,7 +7,7 @@ from math import atan2, degrees, hypot
 
 import pygame
 
-from game.aim.edit import STRONGEST, share, speed_at
+from game.aim.edit import share, speed_at
 from game.aim.preview import FirstContact
 from game.aim.spread import ANGLE
 from game.aim.thickness import EIGHTHS
@@ -23,9 +23,9 @@ from game.ui.table.drag_aim import stepped
 from . import pot_card
 from .parts import Panel, number
 
-TICKS = (0, 0.5, 1, 2, 3, 4, 5, 6, 7, 8)
+TICKS = (0, 0.5, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13)
 """Speeds marked on the power bar, m/s."""
-NAMED = (0, 1, 2, 3, 4, 6, 8)
+NAMED = (0, 1, 2, 3, 4, 6, 8, 10, 13)
 
 
 # -- tip point and elevation ---------------------------------------------------------------------
@@ -101,15 +101,15 @@ def tip_wheel(steps: int, sight: Sight) -> Action:
 
 def power_key(sight: Sight) -> Hashable:
     """What the power bar depends on."""
-    return sight.session.aim.power
+    return sight.session.aim.power, sight.session.aim.strongest
 
 
 def power_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     """Draw the power bar, with more room for slow shots than for fast ones."""
-    w, speed = sight.words, sight.session.aim.power
+    w, speed, most = sight.words, sight.session.aim.power, sight.session.aim.strongest
     value = number(speed) if speed is not None else "–"
-    part = share(speed or 0.0)
-    ticks = [(share(v), str(v) if v in NAMED else "") for v in TICKS]
+    part = share(speed or 0.0, most)
+    ticks = [(share(v, most), str(v) if v in NAMED else "") for v in TICKS if v <= most]
     args = (w["power"], value, w["unit.speed"], part, ticks)
     return gauges.power(surface, rect, sight.type, *args)
 
@@ -118,7 +118,8 @@ def power_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action:
     """The speed at a point of the bar."""
     track = gauges.power_track(rect, sight.layout.s)
     part = (at[0] - track.x - track.h / 2) / (track.w - track.h)
-    return Action("power", f"{speed_at(part):.2f}" if part < 1.0 else f"{STRONGEST:g}")
+    most = sight.session.aim.strongest
+    return Action("power", f"{speed_at(part, most):.2f}" if part < 1.0 else f"{most:g}")
 
 
 def power_wheel(steps: int, sight: Sight) -> Action:

@@ -17,7 +17,7 @@ from game.ui.names import player_name
 from game.ui.sight import Place, Sight
 from game.ui.table.looks import ball_words
 
-from . import score_plates
+from . import rack_words, score_plates
 from .parts import Panel
 
 ROW, GAP, HEAD = 50, 8, 86
@@ -127,9 +127,10 @@ def _draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Re
 def _why(verdict: Verdict | None, sight: Sight) -> str:
     if verdict is None:
         return ""
+    contest = sight.session.contest
     parts = [score_plates.reason(verdict, sight.words)]
-    if verdict.gift:
-        parts.append(sight.words["fact.gift"].format(n=verdict.gift))
+    if contest is not None and verdict.gift:
+        parts.append(rack_words.gift(contest, verdict, sight.words))
     return " · ".join(parts)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from danggu.rules.verdict import Verdict
 from game.session.running_match import Contest
+from game.ui.names import player_name
 from game.ui.table.looks import ball_words
 
 FRAMES = "snooker"
@@ -70,7 +71,7 @@ def facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
     """The second line of the card of the last stroke."""
     said, match = [], contest.match
     if verdict.gift:
-        said.append(w["fact.gift"].format(n=verdict.gift))
+        said.append(gift(contest, verdict, w))
     if verdict.down:
         said.append(w["fact.down"].format(balls=_names(verdict.down, w)))
     if verdict.spot:
@@ -81,7 +82,15 @@ def facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
     if match.finished:
         return [*said, w["fact.racks"].format(won=" : ".join(map(str, contest.race.won)))]
     passes = "fact.passes" if match.at != contest.shooter else "fact.same"
+    if match.at != contest.shooter and contest.in_hand and verdict.foul:
+        return [*said, w[passes], w["fact.hand"]]
     return [*said, w[passes]]
+
+
+def gift(contest: Contest, verdict: Verdict, w: dict[str, str]) -> str:
+    """How many points a foul gives, and to which player."""
+    other = (contest.shooter + 1) % len(contest.terms.seats)
+    return w["fact.gift"].format(n=verdict.gift, name=player_name(contest.terms, other, w))
 
 
 def _names(names: Sequence[str], w: dict[str, str]) -> str:

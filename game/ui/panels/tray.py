@@ -73,18 +73,22 @@ def _slot(
     mine = [b for b in balls if colour_of(b.name) == name] if name == "red" else [
         b for b in balls if b.name == name
     ]  # fmt: skip
-    left = [ball for ball in mine if not ball.gone]
+    down = sum(ball.gone for ball in mine)
     place = next(i for i, ball in enumerate(balls) if ball is mine[0])
     colour = sight.looks[place].body
-    plain = theme.LINE_INPUT if name.isdigit() else colour
+    plain = theme.LINE_INPUT if name.isdigit() or _dark(colour) else colour
     edge = theme.ACCENT if name in targets(session) else plain
-    down = not left or name == "red"
     shapes.disc(surface, at, radius, colour if down else theme.PANEL, edge, 1.5 * t.s)
-    text = str(len(left)) if name == "red" else name if name.isdigit() else ""
+    text = str(down or "") if name == "red" else name if name.isdigit() else ""
     size = 12 if radius >= 9 * t.s else 11
     ink = _ink(colour) if down else theme.TEXT_SOFT
     if radius * 2 >= t.width(text, size):
         t.draw(surface, text, (at[0], at[1] + t.cap(size) / 2), size, ink, "centre")
+
+
+def _dark(colour: tuple[int, int, int]) -> bool:
+    """Would a ring of this colour be lost on the panel?"""
+    return max(colour) - max(theme.PANEL) < 40
 
 
 def _ink(colour: tuple[int, int, int]) -> tuple[int, int, int]:

@@ -50,7 +50,7 @@ def pose(session: Session, still: bool) -> Pose | None:
             return None
         ball = session.world.ball(session.cue)
         steep = tip_of(shot).elevation or 0.0
-        back = pull(session.aim.power or shot.speed)
+        back = pull(session.aim.power or shot.speed, session.aim.strongest)
         return Pose(ball.position, radians(shot.angle), back, 1.0, ball.radius, steep)
     if not (session.shown_shot and session.shots) or still:
         return None

@@ -11,7 +11,7 @@ from math import degrees, radians
 
 import pygame
 
-from game.aim.edit import share, speed_at
+from game.aim.edit import STRONGEST, share, speed_at
 from game.input.key_tables import finer_step
 from game.render.table import cue_stick
 from game.session.action import Action
@@ -35,9 +35,9 @@ class Grip:
     share: float
 
 
-def pull(speed: float) -> float:
-    """How far the cue is drawn back for a speed, m."""
-    return REST + TRAVEL * min(share(speed), 1.0)
+def pull(speed: float, most: float = STRONGEST) -> float:
+    """How far the cue is drawn back for a speed, of `most` by hand, m."""
+    return REST + TRAVEL * min(share(speed, most), 1.0)
 
 
 def _ball(sight: Sight) -> complex:
@@ -52,7 +52,7 @@ def on_cue(at: complex, sight: Sight) -> bool:
         return False
     own = session.world.ball(session.cue)
     away = (_ball(sight) - at) * rect(1.0, -radians(shot.angle))
-    start = own.radius + pull(session.aim.power or shot.speed)
+    start = own.radius + pull(session.aim.power or shot.speed, sight.session.aim.strongest)
     reach = REACH * sight.layout.s / sight.layout.scale
     return start - reach < away.real < start + cue_stick.LENGTH and abs(away.imag) < reach
 
@@ -71,7 +71,7 @@ def touch(where: Place, sight: Sight) -> Action | None:
     if not isinstance(grip, Grip):
         return None
     if grip.kind == "cue":
-        return _pulled(grip, at) if pointer.stirred else None
+        return _pulled(grip, at, sight.session.aim.strongest) if pointer.stirred else None
     if on_ball:
         pointer.grip = _grip("", at, sight)
         return None
@@ -90,12 +90,13 @@ def _on_ball(at: complex, sight: Sight) -> bool:
 
 def _grip(kind: str, at: complex, sight: Sight) -> Grip:
     aim = sight.session.aim
-    return Grip(kind, at, aim.angle or 0.0, share(aim.power or 0.0) if aim.shot else 0.0)
+    drawn = share(aim.power or 0.0, aim.strongest) if aim.shot else 0.0
+    return Grip(kind, at, aim.angle or 0.0, drawn)
 
 
-def _pulled(grip: Grip, at: complex) -> Action:
+def _pulled(grip: Grip, at: complex, most: float) -> Action:
     along = -((at - grip.at) * rect(1.0, -radians(grip.angle))).real
-    return Action("power", f"{speed_at(grip.share + along / TRAVEL):.2f}")
+    return Action("power", f"{speed_at(grip.share + along / TRAVEL, most):.2f}")
 
 
 def _turned(grip: Grip, at: complex, sight: Sight) -> Action:
