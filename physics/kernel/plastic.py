@@ -53,9 +53,7 @@ def wedge(members, contacts, least, balls, ties):
 
     No energy comes of it.
     """
-    again = False
-    for m in range(members):
-        again = again or balls[ties.member[m]].trapped >= SQUEEZED
+    again = balls[ties.member[0]].trapped >= SQUEEZED  # the ball that the event belongs to
     turn_to_rolling(members, balls, ties)
     had = energy(members, balls, ties)
     if again:
