@@ -4,7 +4,7 @@ from importlib import import_module
 
 from . import report
 
-MEASUREMENTS = ("speed", "work-precision", "scale", "peers", "skips", "batch", "frame")
+MEASUREMENTS = ("speed", "work-precision", "scale", "peers", "skips", "batch", "envs", "frame")
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -56,13 +56,14 @@ def gaps(world: World, time: float, lost_at: dict[str, float]) -> Iterator[tuple
 def clear(world: World, n: int, state: State, radius: float) -> float:
     """How far a ball is from a wall's cushion, m.
 
-    Where a segment ends, or stands upright what is round, a ball that flies may come down in it.
+    In the air it is only known of lines: where a segment ends, or stands upright what is round, a
+    ball that flies may come down in it.
     """
     shape, p = world.scene.walls[n], complex(*state.position)
-    if shape.kind != LINE:
-        return 0.0
     if state.height == 0.0:
         return world.walls[n].distance(state.position) - radius
+    if shape.kind != LINE:
+        return 0.0
     rule = law_at(n, world.scene.rules, world.scene.cushion_rule)
     return hypot(*nose(shape, p, radius, state.height, rule)) - radius
 

@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from physics import World, scenes
+from physics.shot import NUMBERS
 
 from . import report
 from .report import ROOT, Report, duration, figure
@@ -41,13 +42,9 @@ def children(arguments: list[str], bytecode: Path) -> float:
 
 def compiled_fan(shots: int) -> Callable[[], Any]:
     """The fan of directions through the compiled kernel, many rounds of it."""
-    world = scenes.carom()
-    batch = Batch(world, shots)
-    directions = fan(720)
-    for k in range(shots):
-        shot = directions[k % 720]
-        v, w = shot.velocity(), shot.roll()
-        batch.starts[k, 0, 2:7] = v.real, v.imag, w.real, w.imag, shot.side
+    batch = Batch(scenes.carom(), shots, struck=0)
+    rows = [[getattr(shot, name) for name in NUMBERS] for shot in fan(720)]
+    batch.table[:] = [rows[k % len(rows)] for k in range(shots)]
     return batch
 
 

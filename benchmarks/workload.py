@@ -99,9 +99,10 @@ def stepped(make: Callable[[], World], scheme: str, dt: float) -> World:
 
 
 class Batch:
-    """The same scene many times over, in arrays, for the compiled kernel."""
+    """The same scene many times over, in arrays, for the compiled kernel; each with a shot of the
+    table, if it is said which ball is struck."""
 
-    def __init__(self, world: World, shots: int) -> None:
+    def __init__(self, world: World, shots: int, struck: int = -1) -> None:
         import numpy as np
 
         from physics.batch.compiled import kernel, near, packed
@@ -115,6 +116,7 @@ class Batch:
             packed(world.scene),
             before_of(world),
         )
+        self.struck = struck
         self.places, self.table, self.rests = (
             np.empty((0, n, 2)),
             np.empty((shots, 6)),
@@ -127,8 +129,8 @@ class Batch:
 
     def __call__(self) -> None:
         self.many(
-            self.before, self.places, self.table, -1, self.rests, self.times, self.events, 10**5,
-            self.scene, self.notes,
+            self.before, self.places, self.table, self.struck, self.rests, self.times,
+            self.events, 10**5, self.scene, self.notes,
         )  # fmt: skip
 
     def positions(self) -> Positions:

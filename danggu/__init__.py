@@ -12,13 +12,14 @@ if TYPE_CHECKING:
     from . import players as players
     from . import rules as rules
 
-ROOMS = ("envs", "players", "rules")
+ROOMS = ("players", "rules")
+EXTRA = ("envs",)  # needs an extra, so neither `import *` nor completion loads it
 
 
 def __getattr__(name: str) -> Any:
     from importlib import import_module
 
-    if name in ROOMS:
+    if name in ROOMS or name in EXTRA:
         return import_module(f".{name}", __name__)
     physics = import_module("physics")
     if name == "__all__":

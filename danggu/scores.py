@@ -10,7 +10,7 @@ import numpy as np
 
 from physics import World, simulate_many
 
-from .players.noise import missed
+from .players.errors import missed
 from .rules.verdict import Rules, Turn
 
 if TYPE_CHECKING:

@@ -21,6 +21,7 @@ from .session.commands import perform as perform_command
 from .session.session import Session
 from .session.ticks import seconds
 from .settings.keeper import Keeper
+from .settings.own_table_file import OwnTableFile
 from .settings.preferences import Preferences
 from .sound.hearing import SILENCE, Ear
 from .table.presets import size as table_size
@@ -75,6 +76,7 @@ class App:
         self.view = View(session, self.canvas.surface.get_size(), length, width, self.preferences)
         self.ear = Ear(length / 2)
         self.keeper = Keeper(session, folder)
+        self.folder = folder
         self._offer()
         self._world = session.world
         self.journal = journal
@@ -118,11 +120,12 @@ class App:
         self.update(end - self.session.tick)
         if self.replay is None:
             self.perform(self.thinker.think(), human=False)
+            self.perform(self.view.sketch.look(self.session))
         if not (self.options.virtual or self.preferences.audio.silent):
             self._sound()
         changed, thinking = self.view.think(seconds(ticks))
         self.redraw(changed)
-        busy = thinking or self.thinker.on
+        busy = thinking or self.thinker.on or self.view.sketch.searching
         return self.render() or self.stats.inputs != before or busy
 
     # -- handle --------------------------------------------------------------------------------
@@ -237,6 +240,9 @@ class App:
         menu, score = self.view.pages["menu"], self.view.pages["score"]
         if isinstance(menu, MenuPage) and isinstance(score, ScorePage):
             menu.offers, score.career = self.keeper.offered, self.keeper.statistics.of
+            if self.folder is not None:
+                self.view.tracks.file = OwnTableFile(self.folder)
+                menu.own = lambda: self.view.tracks.file.key
 
     def redraw(self, changed: bool = True) -> None:
         """Draw in this frame even if nothing of the game has changed."""
@@ -335,6 +341,8 @@ class App:
         self.preferences.save()
         if self.journal is not None:
             self.journal.close()
+        self.view.sketch.clear()
+        self.view.tracks.stop()
         self.preferences.audio.close()
         pygame.display.quit()
 

@@ -145,7 +145,7 @@ def _parser(
     add = parser.add_argument
     add("--seed", type=_count(-(2**64), 2**64), metavar="N", help="for placing balls at random")
     add("--substeps", type=_count(1, 1000), metavar="N", help="physics calls a frame (6)")
-    add("--table", choices=[*presets.TABLES], help="table and its balls (medium)")
+    add("--table", choices=presets.TABLES, help="table and its balls (medium)")
     add("--scene", choices=[*presets.SCENES], help="begin with a scene of the physics package")
     _add_match(parser)
     add("--setup", metavar="LINE", help="balls as a copied line says, perhaps with a shot")

@@ -256,7 +256,7 @@ class Ball:
     def phase(self) -> str:
         """ "sliding", "rolling" or "resting"; a ball that only spins on the spot rests.
 
-        In flight "airborne"; "off" when it has left the table over a cushion.
+        In flight "airborne"; "off" when it has left the table over a cushion or through a gap.
 
         Assigning "rolling" gives the ball the spin of its velocity; "resting" stops it, but for its
         spin about the vertical; "sliding" is refused if its velocity and spin agree, and all three

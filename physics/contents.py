@@ -1,5 +1,6 @@
 """What is in a world: balls and walls, put in, taken out and looked up."""
 
+from dataclasses import replace
 from math import fsum
 from typing import Any, TypeVar
 
@@ -107,8 +108,17 @@ class Contents:
 
     @property
     def table(self) -> Any:
-        """The `tables.Table` it stands on, with its spots and racks, or None."""
+        """The `tables.Table` it stands on, with its spots and racks, or None.
+
+        Cloth and laws that are assigned to the world become the table's too.
+        """
         return self._table
+
+    def _give_table(self, **mine: Any) -> None:
+        """A table that has cloth and laws gets those that the world was given."""
+        table: Any = self._table
+        if mine.keys() <= {*getattr(table, "__dataclass_fields__", ())}:
+            self._table = replace(table, **mine)
 
     @property
     def energy(self) -> float:

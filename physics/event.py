@@ -76,7 +76,7 @@ class Event(NamedTuple):
 
     time: s; the same for all events of one instant.
     kind: "roll", "rest", "cushion", "ball" or "pocket" (it goes down), and for balls that fly
-    "land" (on the cloth) and "off" (over a cushion, for good).
+    "land" (on the cloth); "off" (over a cushion or out through a gap between walls, for good).
     balls: names.
     wall: name of the cushion or the pocket, or None.
     point: (x, y) of the contact (of the centre, where nothing touched), m.

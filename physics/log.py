@@ -229,7 +229,8 @@ class Log(Sequence[Event]):
         names, walls = self.names, self._walls
         for time, kind, i, other, away in self.touches():
             if kind.other == "wall":
-                yield Contact(time, kind.name, (names[i],), walls[other].name, away)
+                wall = walls[other].name if other >= 0 else None
+                yield Contact(time, kind.name, (names[i],), wall, away)
             else:
                 yield Contact(time, kind.name, (names[i], names[other]), None)
 
@@ -307,7 +308,7 @@ class Log(Sequence[Event]):
         wanted = {*names}
         for k, (_, _, number, other, i, _, j, _, _) in enumerate(self._events):
             if KINDS[number].name == kind:
-                wall = walls[other] if KINDS[number].other == "wall" else None
+                wall = walls[other] if KINDS[number].other == "wall" and other >= 0 else None
                 if wanted <= {self.names[i], self.names[j], wall}:
                     yield self._event(k)
 
@@ -343,7 +344,7 @@ class Log(Sequence[Event]):
         names: tuple[str, ...] = (self.names[i],)
         turns: tuple[tuple[Leg, Leg], ...] = (first,)
         point, normal, rise = first[1].position, 0j, -1.0 if kind.other == "cloth" else 0.0
-        wall = self._walls[other] if kind.other == "wall" else None
+        wall = self._walls[other] if kind.other == "wall" and other >= 0 else None
         if wall and kind.closes:
             spot = point.real, point.imag
             normal = -wall.facing(spot)

@@ -1,8 +1,10 @@
 """Do the balls fit where they were placed: inside the walls, and not into one another?"""
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from math import hypot
 from operator import itemgetter
+from typing import Any
 
 from .ball import Ball
 from .kernel.body import Rule
@@ -44,6 +46,33 @@ def check_places(
     for ball, other in _pairs(spots, slack):
         if ball.put or other.put:
             raise ValueError(f"{ball!r} and {other!r} overlap")
+
+
+def check_table(balls: Iterable[Ball], walls: Sequence[Obstacle], table: Any) -> None:
+    """ValueError, naming the ball, if one that was placed on the cloth lies behind the rails of a
+    table with pockets, which end: no line tells there."""
+    if getattr(table, "pockets", None) is None or len(walls) < len(table.obstacles):
+        return  # a custom table, or one that was opened
+    for ball in balls:
+        if ball.put and ball.on_cloth and not ball.gone:
+            p = complex(*ball.position)
+            if off_bed(p, table) and not within(table.outline, p):
+                raise ValueError(f"{ball!r} is outside the table {table.name!r}")
+
+
+def off_bed(p: Any, table: Any) -> Any:
+    """Is the point, or each of an array, beyond the noses: in a mouth, or behind a cushion?"""
+    return (abs(p.real) > 0.5 * table.length) | (abs(p.imag) > 0.5 * table.width)
+
+
+def within(corners: Sequence[complex], p: complex) -> bool:
+    """Is the point in the polygon?"""
+    inside = False
+    for a, b in pairwise([*corners, corners[0]]):
+        if (a.imag > p.imag) != (b.imag > p.imag):
+            across = a.real + (p.imag - a.imag) / (b.imag - a.imag) * (b.real - a.real)
+            inside ^= p.real < across
+    return inside
 
 
 def _speed(ball: Ball) -> float:

@@ -21,9 +21,10 @@ from .framing import framed
 from .kernel.body import Scene, celled, no_grid, no_ties, twin_scene
 from .kernel.kinds import PHASES
 from .log import Log
+from .openings import bounded
 from .parting import part
 from .pictured import Pictured
-from .places import check_places
+from .places import check_places, check_table
 from .shot import Shot
 from .wall import Obstacle
 
@@ -112,6 +113,7 @@ class World(Contents, Pictured):
         for law in (self._cushion_law, *(wall.own_law for wall in self._walls if wall.own_law)):
             laws.on_cloth(law, a_cloth(cloth).slide)
         self._cloth = cloth
+        self._give_table(cloth=cloth)
         self._disturb()
         self._clock.cloth = replace(cloth.felt(), still=self._clock.cloth.still)
         self._renew_rules()
@@ -124,6 +126,7 @@ class World(Contents, Pictured):
     def ball_law(self, law: str | laws.BallLaw) -> None:
         self._refuse_laws("ball_law")
         self._ball_law = laws.ball_law(law)
+        self._give_table(ball_law=self._ball_law)
         self._renew_rules()
 
     @property
@@ -136,6 +139,7 @@ class World(Contents, Pictured):
         law = laws.cushion_law(law, self._cushion_law)
         laws.on_cloth(law, self._cloth.slide)
         self._cushion_law = law
+        self._give_table(cushion_law=law)
         self._renew_rules()
         for ball in self._balls:
             if ball.phase == "airborne":  # where the nose is has been planned with
@@ -343,8 +347,10 @@ class World(Contents, Pictured):
         if clock.moved:
             fresh, dt = self._walls[self._checked :], getattr(self._engine, "dt", 0.0)
             check_places(self._balls, self._walls, fresh, self.scene.cushion_rule, dt)
+            check_table(self._balls, self._walls, self._table)
             self.trust()
-            self.scene = framed(self.scene)
+            scene = framed(self.scene)
+            self.scene = bounded(scene, self._table is not None)
             if len(self._balls) > FEW:
                 self._disturb()
                 self.scene = celled(self.scene)

@@ -1,8 +1,9 @@
-"""Play a three-cushion shot of the shelf without a window and write it as an animation.
+"""Play without a window and write it as an animation: a three-cushion shot, or a rack of 9-ball.
 
-python tools/animate.py [OUT.webp]      needs Pillow: pip install pillow
+python tools/animate.py [three-cushion|run-out] [OUT.webp]      needs Pillow: pip install pillow
 
-The cue turns to the answer of the position and shoots; after the point comes the verdict.
+In the first the cue turns to the answer of a position of the shelf and shoots; after the point
+comes the verdict. In the second the computer breaks and runs out.
 """
 
 import os
@@ -32,14 +33,20 @@ SIZE, QUALITY = (800, 450), 62
 KEY, BESIDE = "around", 7.0
 """The position that is played, and how many degrees beside its answer the aiming begins."""
 COMMAND = "--game three-cushion --handicap 20 --size 1280x720 --frames 9999 --fps"
+RUN_OUT = "--game 9-ball --level master,master --seed 5 --size 1280x720 --frames 99999 --fps"
+SLOW, EACH, ENOUGH = 10, 0.06, 1200
+"""Of a rack: frames a second; every how many seconds of play one is kept; and how many at most."""
 
 
-def main(out: Path) -> None:
+def main(what: str, out: Path) -> None:
     """Write the animation to a file."""
-    chosen = options.read([*COMMAND.split(), str(FPS)])
+    command, shown, rate = {
+        "three-cushion": (COMMAND, frames, FPS), "run-out": (RUN_OUT, rack, SLOW),
+    }[what]  # fmt: skip
+    chosen = options.read([*command.split(), str(rate)])
     app = App(new_game(chosen), chosen)
     try:
-        first, *rest = frames(app)
+        first, *rest = shown(app)
     finally:
         app.close()
     first.save(
@@ -47,6 +54,21 @@ def main(out: Path) -> None:
         quality=QUALITY, method=6,
     )  # fmt: skip
     print(f"{out}: {1 + len(rest)} frames, {out.stat().st_size // 1024} KB")
+
+
+def rack(app: App) -> Iterator[Image.Image]:
+    """The pictures of a rack that the computer plays: at twice the pace, without its thinking."""
+    session, seen = app.session, -1.0
+    for _ in range(20 * ENOUGH):
+        made = picture(app)
+        contest = session.contest
+        if contest is not None and contest.match.finished:
+            break
+        if abs(session.world.time - seen) >= EACH:
+            seen = session.world.time
+            yield made
+    for _ in range(2 * FPS):
+        yield picture(app)
 
 
 def frames(app: App) -> Iterator[Image.Image]:
@@ -84,4 +106,5 @@ def picture(app: App) -> Image.Image:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else DOCS / "three-cushion.webp")
+    name = sys.argv[1] if len(sys.argv) > 1 else "three-cushion"
+    main(name, Path(sys.argv[2]) if len(sys.argv) > 2 else DOCS / f"{name}.webp")

@@ -53,11 +53,10 @@ def __dir__() -> list[str]:
 
 
 for _id, _game in IDS.items():
-    if _id in gymnasium.registry:
-        continue  # imported once before
-    gymnasium.register(
-        _id,
-        entry_point="danggu.envs.single:TableEnv",
-        vector_entry_point="danggu.envs.vector:TableVectorEnv",
-        kwargs={"game": _game},
-    )
+    if _id not in gymnasium.registry:  # the module may be loaded again
+        gymnasium.register(
+            _id,
+            entry_point="danggu.envs.single:TableEnv",
+            vector_entry_point="danggu.envs.vector:TableVectorEnv",
+            kwargs={"game": _game},
+        )

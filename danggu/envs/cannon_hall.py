@@ -42,6 +42,9 @@ class CannonHall(Hall):
     def size(self) -> int:
         return 2 * len(self.names)
 
+    def turn_of(self, row: int) -> Turn:
+        return self.turn
+
     def lay(self, rows: Any) -> None:
         table, radius = self.world.table, self.world.balls[0].radius
         half = 0.5 * np.array([table.length, table.width]) - radius

@@ -8,11 +8,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from danggu.rules import Verdicts
+from danggu.rules.verdict import Turn
 from physics import Outcomes, World, simulate_many
 
 from .actions import aims_of, checked
 from .chance import Chance
-from .noise import DRAWS, noise_of
+from .noise import DRAWS, Noise, noise_of
 from .setup import Setup
 
 KEPT, ALL = 64, 10_000  # contacts of a stroke: of nearly every one, and of any
@@ -66,12 +68,9 @@ class Hall(ABC):
 
     def strike(self, rows: Any, actions: Any) -> Struck:
         """Play one stroke on each of these tables; ValueError for actions that are none."""
-        radius = self.world.balls[0].radius
         given = checked(actions, len(rows))
-        errors = self.chance.normal(rows, DRAWS)
-        places, pace = self.places[rows], self.setup.pace
-        aims = aims_of(given, places, self.on(rows), 2 * radius, pace, self.setup.aim)
-        shots = self.noise.shots(aims, errors, radius)
+        errors, places = self.chance.normal(rows, DRAWS), self.places[rows]
+        shots = self._shots(rows, given, self.noise, errors)
         played = self._played(shots, places)
         long = np.flatnonzero(played.dropped).tolist()
         whole = {k: self._played(shots[[k]], places[[k]], ALL) for k in long}
@@ -79,6 +78,21 @@ class Hall(ABC):
         rewards, over, reasons = self.ruled(rows, played, whole)
         late = ~over & (self.strokes[rows] >= self.setup.limit)
         return Struck(rewards, over, late, reasons)
+
+    def tried(self, row: int, actions: Any) -> Verdicts:
+        """What each of these actions would bring at that table without noise; nothing changes."""
+        rows = np.full(len(actions), row)
+        given, none = checked(actions, len(rows)), np.zeros((len(rows), DRAWS))
+        shots = self._shots(rows, given, Noise(), none)
+        return self.rules.verdicts(self._played(shots, self.places[rows]), self.turn_of(row))
+
+    def _shots(self, rows: Any, given: Any, noise: Noise, errors: Any) -> Any:
+        """(rows, 6): what actions come to with these errors."""
+        radius, how = self.world.balls[0].radius, self.setup.aim
+        pace, on = self.setup.pace, self.on(rows)
+        return noise.shots(
+            aims_of(given, self.places[rows], on, 2 * radius, pace, how), errors, radius
+        )
 
     def _played(self, shots: Any, places: Any, contacts: int = KEPT) -> Outcomes:
         own = self.order
@@ -102,6 +116,10 @@ class Hall(ABC):
     @abstractmethod
     def size(self) -> int:
         """How many numbers are observed."""
+
+    @abstractmethod
+    def turn_of(self, row: int) -> Turn:
+        """What the rules know of the coming stroke at that table."""
 
     @abstractmethod
     def lay(self, rows: Any) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from danggu.rules.state import BREAK
-from danggu.rules.verdict import Verdict
+from danggu.rules.verdict import Turn, Verdict
 from physics import Outcomes
 
 from .hall import Hall
@@ -40,6 +40,9 @@ class MatchHall(Hall):
     @property
     def size(self) -> int:
         return BALL * len(self.names) + MORE if self.setup.racked else 2 * len(self.names)
+
+    def turn_of(self, row: int) -> Turn:
+        return self.sittings[row].match.turn
 
     def lay(self, rows: Any) -> None:
         for row, word in zip(rows, self.chance.words(rows, 1)[:, 0], strict=True):

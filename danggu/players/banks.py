@@ -11,8 +11,8 @@ from .chances import Lie, Opening, Route
 from .declaring import declared
 from .levels import Attempt
 from .lies import lie_and_targets
+from .potting import FASTEST, Found, speed_along, speed_for
 from .starts import Start
-from .strokes import FASTEST, Found, speed_along, speed_for
 from .trying import Candidate, Trials
 
 FANNED = (0.0, 2.0, -2.0, 4.0, -4.0, 6.0)  # degrees that a bank is tried off the mirror's way

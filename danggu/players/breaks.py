@@ -10,8 +10,8 @@ from physics import heading
 from .declaring import declared
 from .levels import Attempt
 from .lies import lie_and_targets
+from .potting import Found
 from .starts import Start
-from .strokes import Found
 from .trying import Candidate, Trials
 
 POWER = 10.0  # m/s: at 8.5 a break of 9-ball pots a third less often

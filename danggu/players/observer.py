@@ -13,14 +13,16 @@ from danggu.rules.match import Match
 from danggu.rules.pocketed import CUE
 from danggu.rules.snooker import COLOUR, lowest
 from danggu.rules.snooker import kind as colour_of
-from danggu.rules.stroke import Rest, Stroke, stroke
+from danggu.rules.stroke import Act, Rest, Stroke, stroke
 from danggu.rules.verdict import Verdict
-from physics import World
+from physics import Leg, World
 
 from .hand import Point
 
 ANCHORED = {"balkline_47_1", "balkline_47_2", "balkline_71_2"}
 FINE = 16  # points of a bent leg
+GONE = {"off", "pocketed"}
+GRAZE = 1e-6  # m by which a ball may seem to be over one that it only touches
 
 
 def seen(world: World, match: Match) -> Stroke:
@@ -30,7 +32,33 @@ def seen(world: World, match: Match) -> Stroke:
     rest = Rest(touching(places, 2 * world.balls[0].radius))
     if isinstance(match.rules, Balkline):
         rest = _zones(world, match.rules, match.cue, rest)
-    return replace(done, rest=rest)
+    acts = jumps(world, match.cue) if match.rules.key == "snooker" else ()
+    return replace(done, rest=rest, acts=(*done.acts, *acts))
+
+
+def jumps(world: World, cue: str) -> tuple[Act, ...]:
+    """The cue ball's jump over a ball before it met any; none over the one that it met first, for
+    where it came down then is not looked at."""
+    log, own = world.log, world.ball(cue)
+    met = next((c for c in log.contacts() if c.kind == "ball" and cue in c.balls), None)
+    until, first = (world.time, ()) if met is None else (met.time, met.balls)
+    others = [ball for ball in world.balls if ball.name not in (cue, *first)]
+    for leg, after in pairwise(log.legs(cue)):
+        if leg.fall and leg.time < until:
+            lasts = min(after.time, until) - leg.time
+            for ball in others:
+                lay, width = log.legs(ball.name)[0], own.touching_distance(ball) - GRAZE
+                if lay.state().phase not in GONE and _nearest(leg, lay.position, lasts) < width:
+                    return (Act(cue, "jumps", ball.name),)
+    return ()
+
+
+def _nearest(leg: Leg, spot: complex, lasts: float) -> float:
+    """How near a ball that flies comes to a spot of the table, m."""
+    away, v = spot - leg.position, leg.velocity
+    speed = abs(v)
+    time = (away * v.conjugate()).real / (speed * speed) if speed else 0.0
+    return abs(away - min(max(time, 0.0), lasts) * v)
 
 
 def lie_of(world: World, verdict: Verdict, done: Stroke, match: Match) -> Stroke:

@@ -21,9 +21,9 @@ from .levels import Attempt, Level
 from .lies import lie_and_targets
 from .mouths import measured
 from .plan import Plan
+from .potting import aimed, pots, variants
 from .safeties import safeties
 from .starts import Start, starts
-from .strokes import aimed, pots, variants
 from .trying import Candidate, Trials
 from .worth import Worth
 

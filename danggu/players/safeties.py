@@ -11,8 +11,8 @@ from .candidates import Style, aims
 from .declaring import declared
 from .levels import Attempt, Level
 from .lies import lie_and_targets
+from .potting import Found
 from .starts import Start
-from .strokes import Found
 from .trying import Candidate, Trials
 
 GENTLE = Style(0.6, 3.2, 0.35, 0.1)

@@ -107,6 +107,8 @@ def spot_all(world: World, match: Match, names: Sequence[str]) -> None:
 def _spot_colours(world: World, names: Sequence[str]) -> None:
     spots, half = world.table.spots, 0.5 * world.table.length - world.table.radius
     colours = [name for name in names if name in COLOURS]
+    if not colours:
+        return
     taken = [name for name in COLOURS if _occupied(world, spots[name])]
     for name, spot in colour_spots(colours, taken).items():
         if spot:

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from . import pool
 from .pocketed import NUMBERS, Pocketed, without
+from .reasons import EIGHT, EIGHT_ON_BREAK, ILLEGAL_BREAK
 from .state import AS_IT_LIES, BREAK, KITCHEN, PLAY, GameState, Option, Question
 from .stroke import Stroke
-from .verdict import Turn, Verdict, facts
+from .verdict import Turn, Verdict, Verdicts, facts
 
-EIGHT = "8"
+if TYPE_CHECKING:
+    from physics import Outcomes
+
+
 SOLIDS, STRIPES = "solids", "stripes"
 GROUPS = {SOLIDS: NUMBERS[:7], STRIPES: NUMBERS[8:]}
-ILLEGAL_BREAK, EIGHT_ON_BREAK = "illegal_break", "eight_on_break"
 SPOT_AND_ACCEPT, SPOT_IN_HAND, REBREAK = "spot_and_accept", "spot_in_hand", "rebreak"
 RERACK, RERACK_OFFENDER, IN_HAND_HEAD = "rerack", "rerack_offender", "in_hand_head"
 
@@ -38,6 +42,11 @@ class EightBall(Pocketed):
         # while the table is open any ball but the 8, unless only the 8 is left
         own = tuple(b for b in left if (b in GROUPS[group] if group else b != EIGHT))
         return own or (EIGHT,)
+
+    def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
+        from .pots import eight_ball_verdicts
+
+        return eight_ball_verdicts(self, outcomes, turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:
         if turn.state.phase == BREAK:

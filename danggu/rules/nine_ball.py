@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from . import pool
 from .pocketed import NUMBERS, Pocketed, without
 from .state import AS_IT_LIES, BREAK, PLAY, SECOND, GameState
 from .stroke import Stroke
-from .verdict import Turn, Verdict, facts
+from .verdict import Turn, Verdict, Verdicts, facts
+
+if TYPE_CHECKING:
+    from physics import Outcomes
+
 
 EDITIONS = (2016, 2025)
 
@@ -95,6 +99,11 @@ class NineBall(Rotation):
     def on_foot_spot(self) -> str:
         """The ball that is racked on the foot spot."""
         return self.money if self.edition >= 2025 else "1"
+
+    def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
+        from .pots import nine_ball_verdicts
+
+        return nine_ball_verdicts(self, outcomes, turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:
         foul = self.foul(done, turn)

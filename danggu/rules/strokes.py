@@ -23,6 +23,7 @@ class Strokes:
     is inf, and `last` -inf, if it hit none.
     hits: (shots,), how many balls it hit.
     off: (shots,), whether a ball left the table.
+    own: number of the cue ball.
     pressed: (shots,), whether it lay against a cushion and was driven into it before all else.
     """
 
@@ -44,6 +45,7 @@ class Strokes:
         met = np.full(self.shots * len(self._names), np.inf)
         np.minimum.at(met, rows[hit] * len(self._names) + partner, lines["time"][hit])
         self.met = met.reshape(self.shots, len(self._names))
+        self.own, self._lines, self._rows_of = own, lines, rows
         known = np.isfinite(self.met)
         self.hits = known.sum(axis=1)
         self.first = self.met.min(axis=1)

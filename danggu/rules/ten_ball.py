@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from . import pool
 from .nine_ball import Rotation
 from .pocketed import NUMBERS
 from .state import BREAK
 from .stroke import Stroke
-from .verdict import Turn, Verdict, facts
+from .verdict import Turn, Verdict, Verdicts, facts
+
+if TYPE_CHECKING:
+    from physics import Outcomes
+
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +34,11 @@ class TenBall(Rotation):
     @property
     def key(self) -> str:
         return "ten_ball"
+
+    def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
+        from .pots import ten_ball_verdicts
+
+        return ten_ball_verdicts(self, outcomes, turn)
 
     def judge(self, done: Stroke, turn: Turn) -> Verdict:
         foul = self.foul(done, turn)

@@ -11,7 +11,7 @@ from math import degrees
 
 from physics import Ball, World, heading
 
-from . import thickness
+from . import cue_room, thickness
 from .entry import BOXES, MOST, Aim
 from .preview import Preview
 from .tip import LIMIT, STEEPEST, Tip
@@ -39,6 +39,8 @@ def speed_at(part: float) -> float:
 def put(aim: Aim, value: str) -> None:
     """Write numbers into boxes by their names ("side 1.5 follow 0.5")."""
     words = value.split()
+    if {*words[::2]} != {"angle"}:
+        aim.lower()
     aim.put(**{n: float(v) for n, v in zip(words[::2], words[1::2], strict=True)})
 
 
@@ -49,13 +51,14 @@ def turn(aim: Aim, value: str) -> None:
 
 
 def power(aim: Aim, value: str) -> None:
-    """Set the ball's speed, m/s; the tip stays where it is, so the spins follow the speed."""
+    """Set the speed along the cue, m/s: with a level one the ball's. The tip stays where it is, so
+    the spins follow the speed."""
     aim.speed(min(max(float(value), WEAKEST), STRONGEST))
 
 
 def push(aim: Aim, value: str) -> None:
     """Change the speed by so much, m/s."""
-    power(aim, str((aim.number("speed") or 0.0) + float(value)))
+    power(aim, str((aim.power or 0.0) + float(value)))
 
 
 def tip(aim: Aim, value: str) -> str:
@@ -82,7 +85,10 @@ def tilt(aim: Aim, value: str) -> str:
 
 
 def elevate(aim: Aim, value: str) -> str:
-    """Set the cue's elevation, degrees; the tip meets the same spot as seen along the cue."""
+    """Set the cue's elevation, degrees; the tip meets the same spot as seen along the cue.
+
+    The cue keeps its speed: the ball leaves the slower, and hops the higher, the steeper it is.
+    """
     now = aim.tip or CENTRE
     return _strike_at(aim, Tip(now.right, now.up, min(max(float(value), 0.0), STEEPEST)))
 
@@ -95,6 +101,19 @@ def _strike_at(aim: Aim, wanted: Tip) -> str:
     if not aim.hold(wanted.within()):
         return "power"
     return MISCUE if wanted.away > LIMIT else ""
+
+
+def make_room(aim: Aim, world: World, cue: str) -> None:
+    """Raise the cue as far as the balls and the cushion behind the cue ball ask for, and no more
+    than the player has if they ask for less."""
+    tip = aim.tip
+    if tip is None or tip.elevation is None or aim.angle is None:
+        return
+    forced = aim.forced is not None and aim.texts[len(BOXES) :] == [aim.forced[0]]
+    wanted = aim.forced[1] if aim.forced is not None and forced else tip.elevation
+    steep = max(wanted, cue_room.needed(world, cue, aim.angle, tip.up))
+    if steep != tip.elevation and aim.hold(Tip(tip.right, tip.up, steep)):
+        aim.forced = None if steep == wanted else (aim.texts[-1], wanted)
 
 
 def past(aim: Aim, world: World, cue: str, seen: Preview | None, eighths: int) -> float | None:
@@ -113,5 +132,6 @@ def take_over(aim: Aim, ball: Ball) -> None:
         wx, wy, wz = (w * ball.radius for w in ball.spin)
         spin = complex(wx, wy) * abs(v) / v
         numbers = (abs(v), spin.imag, spin.real, wz, heading(v))
+        aim.lower()
         aim.put(3, **dict(zip(BOXES, numbers, strict=True)))
     aim.spent()

@@ -1,4 +1,8 @@
-"""The one aim state: five texts, the numbers they mean, and which box is being edited."""
+"""The one aim state: five texts, the numbers they mean, and which box is being edited.
+
+A cue raised by hand adds a sixth text, its elevation: the ball is then driven into the cloth, and
+hops. Without it the five numbers are all that there is.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +13,7 @@ from math import isfinite
 
 from game.text.numerals import MINUS, hopeless, plain, shown, typed, value
 from game.text.text_field import TextField
-from physics import Shot
+from physics import Shot, direction
 
 from .tip import Tip, tip_of
 
@@ -19,6 +23,8 @@ BOXES = ("speed", "follow", "masse", "side", "angle")
 """V, Wx·R, Wy·R, Wz·R and the angle, as `physics.Shot` calls them, in the order of the boxes."""
 MOST = {"speed": 50.0, "follow": 100.0, "masse": 100.0, "side": 100.0, "angle": 3600.0}
 """Largest size of each number: far beyond any cue, and what the window can still follow."""
+LEAST = 0.01
+"""The slowest speed that a box can say, m/s."""
 LONGEST = 16
 """Characters a box takes."""
 CUT = "…"
@@ -57,12 +63,14 @@ def fault(box: int, text: str) -> Fault | None:
 class Aim:
     """What the next shot will be.
 
-    texts     of the five boxes
+    texts     of the five boxes, and the elevation of a cue that is raised by hand, degrees
     box       the one being edited, None in play
     complete  may RETURN shoot?  Once for each entry
     wrong     has an entry been refused, and no good shot followed yet?
     left      boxes that have been left since editing began: only their faults are shown
-    _held     the tip point that was set last, and what the first four boxes were then given
+    hops      does a cue that is raised by hand make the ball hop?
+    forced    the elevation that the cue was given for want of room, and the one it had before
+    _held     the tip point that was set last, what was then written, and the power
     """
 
     texts: list[str] = field(default_factory=lambda: list(START))
@@ -70,13 +78,15 @@ class Aim:
     complete: bool = True
     wrong: bool = False
     left: set[int] = field(default_factory=set)
+    hops: bool = True
+    forced: tuple[str, float] | None = None
     _edited: TextField = field(default_factory=TextField)
-    _held: tuple[Tip, list[str]] | None = None
+    _held: tuple[Tip, list[str], float] | None = None
 
     @property
     def faults(self) -> list[Fault]:
         """Everything that keeps the entry from being a shot, in the order of the boxes."""
-        found = (fault(i, text) for i, text in enumerate(self.texts))
+        found = (fault(i, text) for i, text in enumerate(self.texts[: len(BOXES)]))
         return [f for f in found if f is not None]
 
     @property
@@ -99,7 +109,22 @@ class Aim:
         """The shot that the five texts mean, or None."""
         if self.faults:
             return None
-        return Shot(**dict(zip(BOXES, map(value, self.texts), strict=True)))
+        return self._shot(len(BOXES))
+
+    def _shot(self, boxes: int) -> Shot:
+        """The shot of the first boxes, which have no faults."""
+        given = dict(zip(BOXES[:boxes], map(value, self.texts[:boxes]), strict=True))
+        cue = direction(self.raised)
+        return Shot(**given, climb=0.0 - given["speed"] * cue.imag / cue.real)
+
+    @property
+    def raised(self) -> float:
+        """The elevation of the cue that makes the ball hop, degrees; 0 without a sixth text."""
+        return value(self.texts[len(BOXES)]) if len(self.texts) > len(BOXES) else 0.0
+
+    def lower(self) -> None:
+        """The five boxes are all that there is again."""
+        del self.texts[len(BOXES) :]
 
     def number(self, name: str) -> float | None:
         """The number in one box, while the rest of the entry may still be missing."""
@@ -162,6 +187,8 @@ class Aim:
         edited = self.edited
         if edited is not None and self.box is not None:
             change(edited)
+            if edited.text != self.texts[self.box] and BOXES[self.box] != "angle":
+                self.lower()
             self.texts[self.box] = edited.text
 
     def enter(self) -> None:
@@ -197,37 +224,56 @@ class Aim:
 
         The boxes are rounded: while they hold what `hold` has written, it is what was held.
         """
-        if self._held and self._held[1] == self.texts[:4]:
+        if self._held and self._held[1] == self._written():
             return self._held[0]
         if any(BOXES[fault.box] != "angle" for fault in self.faults):
             return None
-        return tip_of(Shot(**dict(zip(BOXES[:4], map(value, self.texts[:4]), strict=True))))
+        return tip_of(self._shot(4))
 
-    def hold(self, tip: Tip, speed: float | None = None) -> bool:
-        """Write the spins of a tip point for the speed, which stays if it is None.
+    def _written(self) -> list[str]:
+        return self.texts[:4] + self.texts[len(BOXES) :]
+
+    @property
+    def power(self) -> float | None:
+        """The speed along the cue, m/s: what the same cue gives a ball if it is level."""
+        if self.raised and self._held and self._held[1] == self._written():
+            return self._held[2]
+        speed, tip = self.number("speed"), self.tip
+        if speed is None or tip is None:
+            return speed
+        return speed / self._cosine(tip)
+
+    def _cosine(self, tip: Tip) -> float:
+        return direction(tip.elevation or 0.0).real if self.hops else 1.0
+
+    def hold(self, tip: Tip, power: float | None = None) -> bool:
+        """Write what a tip point gives for the power, which stays if it is None.
 
         Returns whether there is a speed: without one a tip point gives no spins.
         """
-        if speed is not None:
-            self.put(speed=speed)
-        known = self.number("speed")
+        was, known = self.tip or Tip(0.0, 0.0), self.power if power is None else power
         if known is None:
             return False
-        self.put(**tip.spins(known))
-        self._held = tip, self.texts[:4]
+        if power is not None or self._cosine(tip) != self._cosine(was):
+            self.put(speed=max(LEAST, known * self._cosine(tip)) if self.hops else known)
+        self.lower()
+        if self.hops and tip.elevation:
+            self.texts.append(plain(tip.elevation, 2))
+        self.put(**tip.spins(value(self.texts[0])))
+        self._held = tip, self._written(), known
         return True
 
-    def speed(self, speed: float) -> None:
-        """Write a speed, and the spins that the same tip point then gives."""
+    def speed(self, power: float) -> None:
+        """Write a power, and the spins that the same tip point then gives."""
         tip = self.tip
         if tip is None:
-            self.put(speed=speed)
+            self.put(speed=power)
         elif tip.elevation is not None:
-            self.hold(tip, speed)
+            self.hold(tip, power)
         else:
             now, *spins = map(value, self.texts[:4])
-            share = speed / now
-            self.put(speed=speed, **{n: share * w for n, w in zip(BOXES[1:4], spins, strict=True)})
+            share = power / now
+            self.put(speed=power, **{n: share * w for n, w in zip(BOXES[1:4], spins, strict=True)})
 
     def spent(self) -> None:
         """The shot has been played: the next one needs a new entry."""

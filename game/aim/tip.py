@@ -5,6 +5,8 @@ of elevation e that leaves the ball with the speed V, and meets it `right` and `
 as seen along the cue, gives (docs/physics.md, "Cue", along the ball's own course)
 
     Wz·R = 5/2 V right        Wx·R = 5/2 V up / cos e        Wy·R = 5/2 V right tan e
+
+and drives it into the cloth at V tan e, off which it hops.
 """
 
 from __future__ import annotations
@@ -61,6 +63,9 @@ def tip_of(shot: Shot) -> Tip:
     """The tip point and the elevation that give a shot its spins."""
     lever = LEVER * shot.speed
     right, up = shot.side / lever, shot.follow / lever
+    if shot.climb < 0.0:
+        elevation = heading(complex(shot.speed, -shot.climb))
+        return Tip(right, up * direction(elevation).real, elevation)
     if shot.masse == 0.0:
         return Tip(right, up)
     sign = 1.0 if shot.side >= 0.0 else -1.0

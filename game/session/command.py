@@ -53,6 +53,7 @@ class Command(NamedTuple):
     kept          do the player's settings remember what it has chosen?
     step          is it a step to undo?
     drags         are many in a row one step?
+    writes        does it write boxes that a player may want back, so that this is a step too?
     keeps_notice  does the notice that is on show stay?
     aims          is it about the coming stroke, and so refused on the computer's turn?
     hurries       does it make the computer strike, on its turn?
@@ -71,6 +72,7 @@ class Command(NamedTuple):
     kept: bool = False
     step: bool = True
     drags: bool = False
+    writes: bool = False
     keeps_notice: bool = False
     aims: bool = False
     hurries: bool = False

@@ -26,6 +26,7 @@ from .values import (
     FARTHEST,
     MOST_STEPS,
     PLACE,
+    key_in,
     line,
     numbers,
     one_of,
@@ -35,7 +36,7 @@ from .values import (
 
 LAST = 99
 """Place of a row that has not been given any."""
-PAGES = ("", "settings", "menu", "shelf", "rules", "score", "ask")
+PAGES = ("", "settings", "menu", "shelf", "rules", "score", "tracks", "ask")
 """What may lie over the table: "ask" is a question alone."""
 
 
@@ -55,7 +56,7 @@ def perform(session: Session, action: Action, player: object = None) -> None:
     before = session.snapshot()
     command.do(session, *action.arguments)
     if _is_step(command, session, before.moving) or session.world is not before.world:
-        session.history.note(before, session.snapshot())
+        session.history.note(before, session.snapshot(), writes=command.writes)
     session.did = action.name
     session.version += 1
     session.news += 1
@@ -93,8 +94,11 @@ def _aims(name: str, change: Callable[..., str | None], *how: Any, **more: Any) 
 
 
 _SHOT = numbers('"V FOLLOW MASSE SIDE ANGLE"', len(BOXES))
+RECOVERED = 10
+"""Numbers of the command `recover`, as `aim.drawn_path.Found` has them."""
 _KEY = text("KEY")
 _WAY = whole("WAY", -1, 1)
+_TABLE = key_in("KEY", presets.TABLES)
 TABLE = (
     Command("edit", play.edit_box, whole("BOX", 0, len(BOXES) - 1), (Key("left", 0), Key("tab", 0)),
             (HelpRow("play", 1, "@edit 0", "help.left"),
@@ -150,6 +154,10 @@ TABLE = (
             rows=(HelpRow("always", 8, "@both", "key.both"),)),
     Command("arrange", table.arrange, keys=(Key("b"),),
             rows=(HelpRow("play", 11, "@arrange", "key.arrange"),), aims=True),
+    Command("sketch", play.sketch, keys=(Key("g"),),
+            rows=(HelpRow("aim", 9.5, "@sketch", "help.sketch"),), step=False, aims=True),
+    Command("recover", play.recover, numbers('"V FOLLOW MASSE SIDE ANGLE HOW WELL"', RECOVERED),
+            aims=True, writes=True),
     Command("ball", match.next_ball, _WAY, (Key("k", 1, shift=Action("ball", -1)),),
             (HelpRow("aim", 10, "@ball 1 @pocket 1", "help.call"),), aims=True),
     Command("pocket", match.next_pocket, _WAY, (Key("o", 1, shift=Action("pocket", -1)),), (),
@@ -166,11 +174,13 @@ TABLE = (
             rows=(HelpRow("always", 3, "@settings", "key.settings"),), keeps_notice=True),
     Command("sheet", table.page, one_of("PAGE", PAGES),
             (Key("f4", "shelf", always=True), Key("f5", "rules", always=True),
-             Key("f6", "score", always=True), Key("f10", "menu", always=True),
+             Key("f6", "score", always=True), Key("f9", "tracks", always=True),
+             Key("f10", "menu", always=True),
              Key("escape", "menu")),
             (HelpRow("always", 4, "@sheet shelf", "key.sheet shelf"),
              HelpRow("always", 5, "@sheet rules", "key.sheet rules"),
              HelpRow("always", 5.5, "@sheet score", "key.sheet score"),
+             HelpRow("always", 5.7, "@sheet tracks", "key.sheet tracks"),
              HelpRow("always", 6, "@sheet menu", "key.sheet menu")), keeps_notice=True),
     # what no key does that a player could choose
     Command("type", play.type_into, text("TEXT"),
@@ -210,7 +220,7 @@ TABLE = (
     Command("line", table.line, line("LINE", lineup.read, "a set-up"), ends_match="always"),
     Command("scene", table.scene, one_of("NAME", presets.SCENES, needed=True), ends_match="always"),
     Command("cloth", table.use_cloth, one_of("KEY", presets.CLOTHS), kept=True, ends_match="terms"),
-    Command("table", table.table, one_of("KEY", presets.TABLES), kept=True, ends_match="always"),
+    Command("table", table.table, _TABLE, kept=True, ends_match="always"),
     Command("still", _own("still"), own=True),
     Command("volume", _own("volume"), whole("0..10", 0, 10), own=True),
     Command("colours", _own("colours"), _KEY, own=True),

@@ -38,11 +38,15 @@ class History:
         self.past: list[Moment] = []
         self.future: list[tuple[Moment, Moment]] = []
 
-    def note(self, before: Moment, now: Moment) -> None:
-        """An action has been done: keep what was before it, if it moved a ball."""
+    def note(self, before: Moment, now: Moment, *, writes: bool = False) -> None:
+        """An action has been done: keep what was before it, if it moved a ball.
+
+        writes: it counts too if it has changed the boxes.
+        """
         if now.world is not before.world:
             return  # the world it was in has gone, and with it all that was before
-        if now.shots != before.shots or not now.same_table(before):
+        wrote = writes and now.texts != before.texts
+        if wrote or now.shots != before.shots or not now.same_table(before):
             self.past.append(before)
             self.future.clear()
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from danggu.players.hand import hindrance
 from danggu.rules.state import ANYWHERE, Call
+from game.aim.entry import BOXES
 from game.table import placing
 from physics import Pocket, World
 
@@ -167,4 +168,4 @@ def _aim(session: Session) -> None:
     contest = session.contest
     if contest is not None and not session.moving:
         session.aim.leave()
-        session.aim.texts[-1] = contest.angle(session.world)
+        session.aim.texts[len(BOXES) - 1] = contest.angle(session.world)

@@ -10,7 +10,7 @@ class Notice(NamedTuple):
 
     key    of the texts
     error  is it one?
-    about  a name that the text has room for: of a ball, or ""
+    about  a name that the text has room for, of a ball, or numbers with spaces between; or ""
     """
 
     key: str

@@ -7,12 +7,16 @@ from collections.abc import Callable, Sequence
 from game.aim import edit, thickness
 from game.aim.entry import BOXES
 from game.aim.preview import GLIMPSE, rests
+from game.table import presets
 from physics import Placed
 
 from . import moves
 from .session import Session
 from .ticks import TICKS
 from .timeline import FRAME, LONGEST_SHOT
+
+WHOLE = 99.0
+"""Per cent of a drawn path that is followed, from which on it is called all of it."""
 
 # -- the boxes -----------------------------------------------------------------------------------
 
@@ -59,11 +63,23 @@ def aimed(change: Callable[..., str | None]) -> Callable[..., None]:
 
     def do(session: Session, *value: object) -> None:
         if session.ready():
+            session.aim.hops = _hops(session)
             if said := change(session.aim, *value):
                 session.warn(said, error=said != edit.MISCUE)
+            _make_room(session)
             _written(session)
 
     return do
+
+
+def _hops(session: Session) -> bool:
+    """Does a raised cue make the ball hop?  Only the exact engine knows balls in the air."""
+    return session.edition >= presets.HOPPING and session.engine == "exact"
+
+
+def _make_room(session: Session) -> None:
+    if _hops(session):
+        edit.make_room(session.aim, session.world, session.cue)
 
 
 def _written(session: Session) -> None:
@@ -91,6 +107,7 @@ def past(wanted: Callable[[float, int], int]) -> Callable[[Session, int], None]:
             session.warn("thickness.blocked")
         elif session.ready():
             session.aim.put(4, angle=angle)
+            _make_room(session)
             _written(session)
 
     return do
@@ -140,6 +157,26 @@ def intend(session: Session, shot: str) -> None:
         session.aim.leave()
         session.aim.texts = words
         session.aim.finish()
+
+
+def sketch(session: Session) -> None:
+    """Begin or end drawing the path that the cue ball is to take."""
+    if not session.sketching and session.moving:
+        session.refuse("moving")
+        return
+    session.show_aim()
+    session.sketching, session.arranging = not session.sketching, False
+    session.aim.leave()
+
+
+def recover(session: Session, found: str) -> None:
+    """Write the shot that was found for a drawn path into the boxes, and say how well it fits."""
+    if session.ready():
+        numbers, known = found.split()[: len(BOXES)], found.split()[len(BOXES) :]
+        session.aim.texts = numbers
+        _written(session)
+        whole = float(known[-1]) >= WHOLE
+        session.warn(f"sketch.{'found' if whole else 'partly'}", False, " ".join(known))
 
 
 def play(session: Session, shot: str) -> None:

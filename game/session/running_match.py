@@ -7,7 +7,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from math import dist
 from typing import NamedTuple
 
 from danggu.players import lagger, observer, spotting
@@ -21,7 +20,7 @@ from game.aim.entry import plain
 from game.aim.preview import Outcome
 from physics import Log, Placed, World, heading
 
-from . import calls, carom_table, scorecard
+from . import calls, carom_table, first_aim, scorecard
 from .scorecard import Card
 from .terms import FREE, HUMAN, SKILLS, START, Terms
 
@@ -289,14 +288,14 @@ class Contest:
         return [*own[: len(START)], self.angle(world)]
 
     def angle(self, world: World) -> str:
-        """Full on the nearest ball that may be hit first, at the opening the usual one, degrees."""
-        spots = {ball.name: ball.position for ball in world.balls if not ball.gone}
-        x, y = own = world.ball(self.match.cue).position
-        names = [name for name in self.match.rules.targets(self.match.turn) if name in spots]
+        """At the nearest ball that may be hit first and can be; at the opening the usual one.
+
+        Degrees; full on it where nothing else is in the way.
+        """
+        names = self.match.rules.targets(self.match.turn)
         opening = self.match.opening and self.terms.discipline.position
-        places = [spots[name] for name in (names[:1] if opening else names)]
-        to = min(places, key=lambda at: dist(at, own), default=(x + 1.0, y))
-        return plain(heading(complex(to[0] - x, to[1] - y)))
+        wanted = names[:1] if opening else names
+        return plain(heading(first_aim.way(world, self.match.cue, wanted)))
 
     # -- going back ----------------------------------------------------------------------------
 

@@ -71,8 +71,8 @@ class Session:
         self.history.clear()
         self.cue = self.shooter = self.held_ball = presets.cue_ball(world)
         self.contest: Contest | None = None
-        self.arranging = False
-        """Are balls being placed by hand?  `held_ball` is the one that moves."""
+        self.arranging = self.sketching = False
+        """Are balls placed by hand, `held_ball` the next?  Is the cue ball's path drawn?"""
         self.aim = Aim()
         self.law, self.cloth = presets.law_of(world), "table"
         self.timeline = Timeline(world, world.time, stamp=self.timeline.stamp)
@@ -93,9 +93,9 @@ class Session:
 
     # -- what it tells -------------------------------------------------------------------------
 
-    def say(self, key: str, *, error: bool = False) -> None:
+    def say(self, key: str, *, error: bool = False, about: str = "") -> None:
         """Tell the player something at once, whatever else is being done."""
-        self.notice = Notice(key, error)
+        self.notice = Notice(key, error, about)
         self.news += 1
         self.version += 1
 
@@ -152,7 +152,7 @@ class Session:
         if why := self._refusal(flies=bool(shot.climb)):
             self.refuse(why)
             return
-        self.arranging = False
+        self.arranging = self.sketching = False
         if not self.moving:
             self.lies = self.world.layout()
         self.timeline.restart()

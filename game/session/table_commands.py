@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 
 from game.table import lineup, placing, presets
@@ -56,6 +57,7 @@ def _begin(session: Session, world: World, table: str) -> None:
 def table(session: Session, key: str = "") -> None:
     """Lay the balls on another table, with its own cloth and laws; the engine stays."""
     key = key or equipment.after([*presets.TABLES], session.table)
+    session.page = "" if session.page == "tracks" else session.page
     _begin(session, presets.table_world(key), key)
 
 
@@ -108,7 +110,18 @@ def resume(session: Session, text: str) -> None:
 def scene(session: Session, name: str) -> None:
     """Begin with a scene of the physics package; KeyError if there is none of that name."""
     session.page = ""
-    _begin(session, presets.scene_world(name), name)
+    if (world := _made(session, lambda: presets.scene_world(name))) is not None:
+        _begin(session, world, name)
+
+
+def _made(session: Session, make: Callable[[], World]) -> World | None:
+    """The world of a set-up; where it cannot be made, that is said and the game goes on."""
+    try:
+        return make()
+    except lineup.UNMADE as error:
+        warnings.warn(f"the set-up cannot be laid: {error!r}", RuntimeWarning, stacklevel=2)
+        session.refuse("unmade")
+        return None
 
 
 def line(session: Session, text: str) -> None:
@@ -119,7 +132,9 @@ def line(session: Session, text: str) -> None:
     same = found.table == session.table and names == [b.name for b in session.world.balls]
     gone = found.down or any(ball.gone for ball in session.world.balls)
     if session.contest or not same or gone:
-        _begin(session, found.world(), found.table)
+        if (world := _made(session, found.world)) is None:
+            return
+        _begin(session, world, found.table)
     else:
         session.lay([place for _, place in found.balls])
     session.timeline.shown = False
@@ -152,7 +167,7 @@ def arrange(session: Session) -> None:
     elif session.moving:
         session.refuse("moving")
     else:
-        session.arranging = not session.arranging
+        session.arranging, session.sketching = not session.arranging, False
         session.timeline.shown = False
         session.aim.leave()
 

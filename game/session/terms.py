@@ -16,6 +16,7 @@ from danggu.rules.match import Match, Player
 from danggu.rules.pyramid import GIFT, MINUS, TAKE
 from danggu.rules.verdict import Rules
 from game.table import presets
+from game.table.own_table import base
 from physics import Ball, World
 
 FREE, FOUR_BALL = "free", "four-ball"
@@ -85,6 +86,8 @@ class Terms:
             "engine": (*presets.ENGINES,), "race": RACES, **HOUSE,
         }  # fmt: skip
         known["table"] = self.tables if self.game in GAMES else ()
+        if isinstance(self.table, str) and base(self.table) in known["table"]:
+            known["table"] += (self.table,) * (self.table in presets.TABLES)
         for name, values in known.items():
             value = getattr(self, name)
             if value not in values or (isinstance(value, bool) != isinstance(values[0], bool)):

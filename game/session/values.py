@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from math import isfinite
 from typing import NamedTuple
 
@@ -88,6 +88,16 @@ def one_of(label: str, keys: Iterable[str], *, needed: bool = False) -> Value:
     def fault(value: object) -> str:
         good = value in known if isinstance(value, str) else value is None and not needed
         return "" if good else f"one of {', '.join(repr(key) for key in known)}"
+
+    return Value(label, fault)
+
+
+def key_in(label: str, known: Mapping[str, object]) -> Value:
+    """A key of some things, of which not all need be listed, or no value."""
+    listed = one_of(label, known)
+
+    def fault(value: object) -> str:
+        return "" if isinstance(value, str) and value in known else listed.fault(value)
 
     return Value(label, fault)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import locale
 import os
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -110,7 +110,8 @@ def _value(name: str, value: Any) -> object:
     """The value as it is used; ValueError if it cannot be."""
     kind = type(value)
     if name in CHOICES:
-        good = kind is str and value in CHOICES[name]
+        known: Container[str] = presets.TABLES if name == "table" else CHOICES[name]
+        good = kind is str and value in known
     elif name == "volume":
         good = kind is int and 0 <= value <= LOUDEST
     elif type(getattr(Settings(), name)) is bool:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import warnings
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import isfinite
 
 from danggu.players.drills import DRILLS, POOL, PYRAMID, SNOOKER
 from danggu.players.positions import SAGU, SHELF, Position, opening
 from danggu.players.spotting import take
-from game.aim.entry import BOXES, fault
+from game.aim.entry import BOXES, fault, value
+from game.aim.tip import STEEPEST
 from game.text import LANGUAGES
 from physics import Ball, EventDriven, World
 
@@ -24,6 +27,9 @@ DOWN = "down"
 TOUCHING = 5e-10
 """Metres by which balls that touch may seem to overlap, for their places are rounded: half of what
 a world lets pass, so that it takes what is taken here."""
+
+UNMADE = (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError)
+"""Raised by a set-up whose world cannot be made: no reason for a game to end."""
 
 
 class LineError(ValueError):
@@ -40,7 +46,7 @@ class Lineup:
 
     table  a key of `presets.TABLES` or `presets.SCENES`
     balls  names and places, m
-    texts  the five of a shot, or none
+    texts  the five of a shot, and the elevation of a cue that makes it hop; or none
     down   names of the balls that are off the table
     """
 
@@ -77,7 +83,8 @@ def read(line: str) -> Lineup:
     parts = line.split()
     if len(line) > LONGEST_LINE or not parts or parts[0] != MARK:
         raise LineError("mark", parts[0] if parts else "")
-    if len(parts) < 2 or parts[1] not in (*presets.TABLES, *presets.SCENES):
+    known = len(parts) > 1 and (parts[1] in presets.TABLES or parts[1] in presets.SCENES)
+    if not known:
         raise LineError("table", parts[1] if len(parts) > 1 else "")
     texts: tuple[str, ...] = ()
     if parts[-1].startswith("shot="):
@@ -103,9 +110,20 @@ def _ball(word: str) -> tuple[str, Place]:
 
 def _shot(word: str) -> tuple[str, ...]:
     texts = tuple(word.removeprefix("shot=").split(","))
-    if len(texts) != len(BOXES) or any(fault(i, text) for i, text in enumerate(texts)):
+    boxes, raised = texts[: len(BOXES)], texts[len(BOXES) :]
+    if len(boxes) != len(BOXES) or any(fault(i, text) for i, text in enumerate(boxes)):
+        raise LineError("shot", word)
+    if len(raised) > 1 or any(not _elevation(text) for text in raised):
         raise LineError("shot", word)
     return texts
+
+
+def _elevation(text: str) -> bool:
+    """Is it an elevation that a cue can have?"""
+    try:
+        return 0.0 < value(text) <= STEEPEST
+    except ValueError:
+        return False
 
 
 def _check(found: Lineup) -> None:
@@ -176,18 +194,29 @@ class Ready:
 
 
 def shelf() -> Iterator[Ready]:
-    """Every ready set-up: the games' positions, openings first, then the physics scenes."""
+    """Every ready set-up: the games' positions, openings first, then the physics scenes.
+
+    One that cannot be made is left out with a RuntimeWarning: the others are still there.
+    """
+    for group, key, make in _makers():
+        try:
+            yield Ready(group, key, make())
+        except UNMADE as error:
+            said = f"set-up {key!r} is left out: {error!r}"
+            warnings.warn(said, RuntimeWarning, stacklevel=2)
+
+
+def _makers() -> Iterator[tuple[str, str, Callable[[], Lineup]]]:
+    """Group and key of each ready set-up, and what makes it."""
     for group, table in (("sagu", "medium"), ("three_cushion", "match")):
-        positions = [opening(group), *(p for p in SHELF if p.game == group)]
-        for position in positions:
-            yield Ready(group, position.key, _of_position(position, table))
-    yield from _racks()
+        for position in [opening(group), *(p for p in SHELF if p.game == group)]:
+            yield group, position.key, partial(_of_position, position, table)
+    for group, key, table, rack in RACKS:
+        yield group, key, partial(_of_rack, table, rack)
     for position in DRILLS:
-        yield Ready(position.game, position.key, _of_drill(position))
+        yield position.game, position.key, partial(_of_drill, position)
     for name in presets.SCENES:
-        world = presets.scene_world(name)
-        balls = tuple((ball.name, ball.position) for ball in world.balls)
-        yield Ready("scenes", name, Lineup(name, balls))
+        yield "scenes", name, partial(_of_scene, name)
 
 
 RACKS = (
@@ -197,13 +226,17 @@ RACKS = (
 TABLES = {POOL: "pool-9", SNOOKER: "snooker", PYRAMID: "pyramid"}
 
 
-def _racks() -> Iterator[Ready]:
-    """The opening of each game with a rack."""
-    for group, key, table, rack in RACKS:
-        world = presets.table_world(table)
-        cue = world.ball("cue").position
-        balls = [(ball.name, ball.position) for ball in world.table.rack(rack)]
-        yield Ready(group, key, Lineup(table, (("cue", cue), *balls)))
+def _of_rack(table: str, rack: str) -> Lineup:
+    """The opening of a game with a rack."""
+    world = presets.table_world(table)
+    cue = world.ball("cue").position
+    balls = [(ball.name, ball.position) for ball in world.table.rack(rack)]
+    return Lineup(table, (("cue", cue), *balls))
+
+
+def _of_scene(name: str) -> Lineup:
+    balls = presets.scene_world(name).balls
+    return Lineup(name, tuple((ball.name, ball.position) for ball in balls))
 
 
 def _of_drill(position: Position) -> Lineup:

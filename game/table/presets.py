@@ -10,11 +10,15 @@ from typing import Any
 import physics
 from physics import Ball, Cloth, EventDriven, Placed, World, laws, scenes, tables
 
+from .own_table import Tables, base
+
 Place = tuple[float, float]
 
 CAROM = {"thesis": tables.THESIS, "medium": tables.MEDIUM_CAROM, "match": tables.MATCH_CAROM_2}
 POOL = {"pool-9": tables.pool(9), "pool-8": tables.pool(8), "pool-7": tables.pool(7)}
-TABLES = {**CAROM, **POOL, "snooker": tables.SNOOKER_12FT, "pyramid": tables.PYRAMID_12FT}
+TABLES = Tables(
+    {**CAROM, **POOL, "snooker": tables.SNOOKER_12FT, "pyramid": tables.PYRAMID_12FT}
+)
 FREE_RACKS = {"pool": "8-ball", "snooker": "snooker", "pyramid": "pyramid"}
 """What is racked on a free table of each kind."""
 BALLS: dict[str, Place] = {
@@ -56,10 +60,12 @@ CLOTHS: dict[str, Cloth | None] = {
     **{key: tables.CLOTHS[key] for key in ("new", "hall", "worn", "humid")},
 }
 """Conditions of the cloth; "table" is the one that a table comes with."""
-EDITIONS = (1, 2, 3)
-"""Of tables, laws and cloths: a record is played with those of its time, and so comes out the
-same."""
+EDITIONS = (1, 2, 3, 4)
+"""Of tables, laws, cloths and strokes: a record is played with those of its time, and so comes out
+the same."""
 EDITION = EDITIONS[-1]
+HOPPING = 4
+"""The edition from which on a cue that is raised makes the ball hop."""
 FIRST_LAWS = {
     "mathavan": LawSet("mathavan", laws.RoughBall, lambda: laws.MathavanCushion(slide=0.212)),
 }
@@ -79,7 +85,7 @@ def table_world(key: str) -> World:
     if table.kind in FREE_RACKS:
         return _racked(world, table.rack(FREE_RACKS[table.kind]))
     for name, (x, y) in BALLS.items():
-        if key == "match" and name not in THREE:
+        if base(key) == "match" and name not in THREE:
             continue
         at = (x * table.length, y * table.width)
         world.add(Ball(_name(key, name), at, radius=table.radius, mass=table.mass))
@@ -116,7 +122,7 @@ def scene_world(name: str) -> World:
 
 def _name(key: str, name: str) -> str:
     """With one red ball it is just red."""
-    return "red" if key == "match" and name == "red1" else name
+    return "red" if base(key) == "match" and name == "red1" else name
 
 
 def size(world: World) -> Place:

@@ -9,10 +9,25 @@ from __future__ import annotations
 
 import re
 
-from . import en, en_match, en_play, en_pool, en_rules, ko, ko_match, ko_play, ko_pool, ko_rules
+from . import (
+    en,
+    en_inverse,
+    en_match,
+    en_play,
+    en_pool,
+    en_rules,
+    ko,
+    ko_inverse,
+    ko_match,
+    ko_play,
+    ko_pool,
+    ko_rules,
+)
 
 LANGUAGES = {
-    "en": en.WORDS | en_match.WORDS | en_play.WORDS | en_pool.WORDS | en_rules.WORDS,
-    "ko": ko.WORDS | ko_match.WORDS | ko_play.WORDS | ko_pool.WORDS | ko_rules.WORDS,
+    "en": en.WORDS | en_match.WORDS | en_play.WORDS | en_pool.WORDS | en_rules.WORDS
+    | en_inverse.WORDS,
+    "ko": ko.WORDS | ko_match.WORDS | ko_play.WORDS | ko_pool.WORDS | ko_rules.WORDS
+    | ko_inverse.WORDS,
 }
 KEY = re.compile(r"@\[([^]]+)\]")

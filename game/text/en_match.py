@@ -109,6 +109,7 @@ WORDS = {
     "state.arranging": "placing balls",
     "notice.refused.off": "the cue ball is off the table · @[retry]",
     "notice.refused.room": "no room for the balls",
+    "notice.refused.unmade": "this set-up cannot be laid",
     "notice.refused.flight": "only exact events know flying balls",
     "notice.refused.moving": "wait until the balls rest",
     "notice.refused.over": "the match is over · @[sheet menu] new game",

@@ -34,7 +34,7 @@ WORDS = {
     "help.finer": "turn by 0.1° · 0.01°",
     "help.push": "power 0.5 · Shift 0.1 · Ctrl 0.01 m/s",
     "help.tip": "tip point by 0.05 R · Shift 0.01 R",
-    "help.tilt": "raise the cue by 5° · Shift 1°",
+    "help.tilt": "raise the cue by 5° · Shift 1°: it hops",
     "help.centre": "strike in the middle, cue level",
     "help.thick": "next eighth, leftwards · Shift right",
     "help.aids": "aiming aids: off, short, full",

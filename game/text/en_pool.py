@@ -243,4 +243,7 @@ WORDS = {
     "reason.lag": "Lag",
     "reason.lag_bad": "Lag: does not count",
     "reason.lag_again": "Lag again",
+    "warn.not_on": "Not on: {ball} would be hit first",
+    "warn.nothing": "No ball is hit",
+    "warn.cue": "The cue ball goes down, {pocket}",
 }

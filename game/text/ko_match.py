@@ -109,6 +109,7 @@ WORDS = {
     "state.arranging": "공을 놓는 중",
     "notice.refused.off": "수구가 대 밖에 있습니다 · @[retry] 다시",
     "notice.refused.room": "공을 놓을 자리가 없습니다",
+    "notice.refused.unmade": "이 배치는 놓을 수 없습니다",
     "notice.refused.flight": "뜬 공은 정확한 엔진만 계산합니다",
     "notice.refused.moving": "공이 멈출 때까지 기다리세요",
     "notice.refused.over": "경기가 끝났습니다 · @[sheet menu] 새 게임",

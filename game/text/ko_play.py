@@ -34,7 +34,7 @@ WORDS = {
     "help.finer": "0.1° · 0.01° 돌리기",
     "help.push": "세기 0.5 · Shift 0.1 · Ctrl 0.01 m/s",
     "help.tip": "당점 0.05 R · Shift 0.01 R",
-    "help.tilt": "큐 각도 5° · Shift 1°",
+    "help.tilt": "큐 각도 5° · Shift 1° · 점프",
     "help.centre": "중심 당점, 큐 수평",
     "help.thick": "왼쪽 두께 1/8 · Shift 오른쪽",
     "help.aids": "조준선: 끔, 짧게, 전체",

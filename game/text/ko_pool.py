@@ -243,4 +243,7 @@ WORDS = {
     "reason.lag": "뱅킹",
     "reason.lag_bad": "뱅킹: 무효",
     "reason.lag_again": "뱅킹 다시",
+    "warn.not_on": "맞힐 공이 아님: {ball}부터 맞습니다",
+    "warn.nothing": "아무 공도 맞지 않습니다",
+    "warn.cue": "수구가 들어갑니다: {pocket}",
 }

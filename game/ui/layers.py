@@ -150,6 +150,28 @@ class AskedLayer:
         return Answer(() if action is None else (action,), redraw=True) if own else None
 
 
+class SketchLayer:
+    """A path that is drawn with the mouse."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Draw on; or end the search, or else drawing."""
+        view = self.view
+        if not view.session.sketching:
+            return None
+        if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE:
+            cancelled = view.sketch.cancel(view.session)
+            return answer(None if cancelled else Action("sketch"), redraw=True)
+        if event.type in MOUSE:
+            changed = view.hover(event.pos)
+            if view.sketch.mouse(event, view.sight):
+                return Answer(redraw=True)
+            return Answer(redraw=True) if changed and event.type == pygame.MOUSEMOTION else None
+        return None
+
+
 class BoxLayer:
     """The box that is edited: keys and characters go into it."""
 
@@ -215,7 +237,7 @@ class Layers:
         self.view = view
         self.stack: tuple[Layer, ...] = (
             *first, QuestionLayer(view), KeysLayer(view), PageLayer(view), AskedLayer(view),
-            PlacingLayer(view), BoxLayer(view), TableLayer(view),
+            SketchLayer(view), PlacingLayer(view), BoxLayer(view), TableLayer(view),
         )  # fmt: skip
 
     def ask(self, event: pygame.event.Event, texts: bool) -> Answer:

@@ -32,7 +32,7 @@ class Sight:
     portrait     the picture of a ball, by its place among the balls, for lists and plates
     composition  what an input method is composing
     looks        of the balls, in their order
-    choice       the answer in focus while a match asks something, from 0
+    choice       the answer in focus while a match asks something, from 0; -1 for none
     """
 
     session: Session
@@ -45,7 +45,7 @@ class Sight:
     portrait: Callable[[int], pygame.Surface] | None = None
     composition: Composition = field(default_factory=Composition)
     looks: Sequence[BallLook] = ()
-    choice: int = 0
+    choice: int = -1
 
     @property
     def words(self) -> dict[str, str]:

@@ -27,10 +27,12 @@ from .pages.rules_page import RulesPage
 from .pages.score_page import ScorePage
 from .pages.settings_page import SettingsPage
 from .pages.shelf import ShelfPage
+from .pages.tracks_page import TracksPage
 from .panels.asked_card import options
 from .panels.parts import Panel, fixed_parts
 from .panels.shot_panels import shot_parts
 from .table.marks import aiming
+from .table.sketch import Sketch
 from .table.stage import Stage
 
 STILL = 0.15
@@ -51,9 +53,11 @@ class View:
         preferences: Preferences | None = None,
     ) -> None:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
+        self.sketch, self.tracks = Sketch(), TracksPage()
         self.pages: dict[str, Page] = {
             "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
             "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
+            "tracks": self.tracks,
         }  # fmt: skip
         self.composition = Composition()
         self.question: Question | None = None
@@ -130,6 +134,7 @@ class View:
         self.sight = Sight(self.session, layout, Type(layout.s), *given)
         self.sight.composition = self.composition
         self.stage = Stage(layout, self.session, self.preferences.settings, self.spread)
+        self.stage.sketch = self.sketch
         self.sight.portrait, self.sight.looks = self.stage.sprites.portrait, self.stage.looks
         self.parts = fixed_parts(layout) + shot_parts(layout)
         self._drawn: dict[str, Hashable] = {}
@@ -150,6 +155,8 @@ class View:
         `seconds` have passed since the last time.
         """
         session, spread = self.session, self.spread
+        if self.tracks.running:
+            return self.tracks.think(seconds), True
         if self.stage.dropped.falls(session):
             return True, True
         if not (self.preferences.settings.fan and aiming(session)) or session.preview is None:
@@ -239,7 +246,7 @@ class View:
         if mode == self._mode:
             return []
         self._mode = self.sight.mode = mode
-        self.sight.choice = 0
+        self.sight.choice = -1
         for part in self.parts:
             if part.mode:
                 self._drawn.pop(part.name, None)

@@ -325,4 +325,5 @@ def _packed(scene: Scene, body: Any) -> Any:
     first = rows(scene.balls), meetings, walls, felt, *rules, room
     bands = records(list(scene.bands), Band())
     frame = np.array(scene.frame, int)
-    return body.Packed(*first, scene.celled, grid, scene.lines, own, frame, bands)
+    openings = records(list(scene.openings), Shape())
+    return body.Packed(*first, scene.celled, grid, scene.lines, own, frame, bands, openings)

@@ -38,7 +38,8 @@ class Outcomes(NamedTuple):
       kind: 0 none, 1 ball, 2 cushion, 3 pocket, 4 off the table.
       again: true at a cushion which the ball has not left (by more than 1 mm) since they last
       touched, or since the shot began: rules do not count it.
-      first: number of the ball.  second: of the other ball, or of the wall or pocket.
+      first: number of the ball.  second: of the other ball, or of the wall or pocket; below 0
+      where a ball left through an opening.
       time: s, since the shot.
     dropped: (shots,), how many contacts there were after those.
     walls: the names of walls and pockets (None for those without), by number.
@@ -71,7 +72,7 @@ class Outcomes(NamedTuple):
     def _names(self, kind: int, first: int, second: int) -> tuple[tuple[str, ...], str | None]:
         if kind == BALL_TOUCH:
             return (self.balls[first], self.balls[second]), None
-        return (self.balls[first],), self.walls[second]
+        return (self.balls[first],), self.walls[second] if second >= 0 else None
 
 
 class Part(NamedTuple):

@@ -65,4 +65,4 @@ def _key(scene: Scene) -> tuple[Any, ...]:
     """What is in a scene, but for how its balls lie: those are told apart by what they are."""
     parts = scene.balls, scene.walls, scene.cloth, scene.ball_rule, scene.cushion_rule, scene.rules
     sizes = len(scene.balls), len(scene.walls), scene.celled, scene.lines
-    return (*map(id, parts), id(scene.grid.head), *sizes, tuple(scene.frame))
+    return (*map(id, parts), id(scene.grid.head), *sizes, tuple(scene.frame), scene.openings)

@@ -13,7 +13,7 @@ from physics.checks import LARGEST, array
 from physics.kernel.body import COLUMNS
 from physics.kernel.kinds import RESTING
 from physics.kernel.leg import DOWN
-from physics.places import OVERLAP
+from physics.places import OVERLAP, off_bed
 from physics.shot import NUMBERS, Shot
 
 if TYPE_CHECKING:
@@ -189,6 +189,8 @@ def _doubtful(world: World, spots: Any) -> Any:
     radii = np.array([ball.radius for ball in world.balls])
     gone = np.isnan(spots)
     doubtful = np.zeros(len(spots), bool)
+    if getattr(world.table, "pockets", None) is not None:
+        doubtful |= off_bed(spots, world.table).any(axis=1)
     for wall in world.walls:
         need = radii if wall.pushes else 0.0 * radii
         doubtful |= ~(gone | (wall.at_least(spots) >= need - 0.5 * OVERLAP)).all(axis=1)

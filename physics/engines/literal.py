@@ -13,10 +13,11 @@ from typing import Any
 from physics.engines.engine import Movable
 from physics.kernel.kinds import CUSHION, OFF, PAIR, RESTING, SLIDING
 from physics.kernel.motion import length
-from physics.kernel.obstacle import POCKET, clearance, facing
+from physics.kernel.obstacle import NOBODY, POCKET, clearance, facing
+from physics.kernel.opening import just_left
 from physics.kernel.tilt import between
 
-from .overlap import catch_up, drop, kept, launch, mark, note
+from .overlap import catch_up, drop, go_off, kept, launch, mark, note
 
 WALL_RESTITUTION = 0.9
 WALL_FRICTION = (0.2, 0.5)  # multiplied one after the other
@@ -92,6 +93,9 @@ def substep(world: Movable, time: float, dt: float, k: int) -> None:
                     break
             elif abs(clearance(wall, ball.position, 0.0)) < ball.radius:
                 bounce(world, time, dt, i, n)
+        through = just_left(world.scene.openings, ball.position, ball.velocity, ball.radius)
+        if through != NOBODY and ball.phase < OFF:
+            go_off(world, time, i, NOBODY - through)
     rate = per_second(dt)
     for i, ball in enumerate(balls):
         if ball.phase >= OFF:

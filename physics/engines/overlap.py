@@ -5,10 +5,11 @@ from typing import Any
 
 from physics.engines.engine import Movable
 from physics.kernel.body import Scene
-from physics.kernel.kinds import CUSHION, DROP, OFF, PAIR, REST, RESTING, ROLL
+from physics.kernel.kinds import CUSHION, DROP, LEAVE, OFF, PAIR, REST, RESTING, ROLL
 from physics.kernel.laws import hit_ball, hit_wall, law_at
 from physics.kernel.leg import begin, carry, end, place
-from physics.kernel.obstacle import POCKET, clearance, facing
+from physics.kernel.obstacle import NOBODY, POCKET, clearance, facing
+from physics.kernel.opening import just_left
 from physics.kernel.tilt import between
 
 KEEP = 1 / 2000  # s between legs in the log: every leg of a finer grid would fill the memory
@@ -53,8 +54,8 @@ def end_phase(world: Movable, time: float, i: int) -> None:
 def touching(
     scene: Scene, spots: list[complex], speed: Callable[[int], complex]
 ) -> Iterator[tuple[int, int, int]]:
-    """(PAIR, ball, ball), (CUSHION, ball, wall) or (DROP, ball, pocket), in order, where two
-    overlap and approach.
+    """(PAIR, ball, ball), (CUSHION, ball, wall), (DROP, ball, pocket) or (LEAVE, ball, opening), in
+    order, where two overlap and approach.
 
     The balls are at `spots`; ball i's velocity is speed(i), asked each time: a contact found here
     may have changed it by then.
@@ -87,6 +88,9 @@ def touching(
                 and (facing(wall, p).conjugate() * speed(i)).real < 0.0
             ):
                 yield CUSHION, i, k
+        through = just_left(scene.openings, p, speed(i), ball.radius)
+        if through != NOBODY and ball.phase < OFF:
+            yield LEAVE, i, NOBODY - through
 
 
 def contacts(world: Movable, time: float) -> None:
@@ -141,4 +145,12 @@ def drop(world: Movable, time: float, i: int, k: int) -> None:
     note(world, time, DROP, i, k)
 
 
-HAPPENS = {PAIR: meet, CUSHION: bounce, DROP: drop}
+def go_off(world: Movable, time: float, i: int, k: int) -> None:
+    """Ball i leaves the table through opening NOBODY - k."""
+    end(bring(world, time, i), LEAVE)
+    launch(world.scene.balls[i], world.scene.cloth)
+    mark(world, i)
+    note(world, time, LEAVE, i, k)
+
+
+HAPPENS = {PAIR: meet, CUSHION: bounce, DROP: drop, LEAVE: go_off}

@@ -232,6 +232,7 @@ class Scene:
     rules: Any = ()  # the law of every wall, if one of them has its own
     frame: Any = ()  # in which only long walls matter, see kernel/obstacle.py
     bands: Any = ()  # of rolling resistance, from the slowest on, if it depends on the speed
+    openings: Any = ()  # through which a ball leaves a table that does not close
 
     def _replace(self, **changes: Any) -> "Scene":
         """A copy with these changes, as of a tuple."""
@@ -297,10 +298,8 @@ def twin_scene(scene: Scene, balls: list[Body]) -> Scene:
     """A copy of the scene, with those records of its balls."""
     n = len(balls)
     grid = twin_grid(scene.grid) if scene.celled else no_grid(n)
-    return Scene(
-        balls, scene.meetings[:], scene.walls[:], scene.cloth, scene.ball_rule, scene.cushion_rule,
-        no_ties(n), scene.celled, grid, scene.lines, scene.rules, scene.frame, scene.bands,
-    )  # fmt: skip
+    meetings, walls = scene.meetings[:], scene.walls[:]
+    return scene._replace(balls=balls, meetings=meetings, walls=walls, ties=no_ties(n), grid=grid)
 
 
 def rows(items: Sequence[Any]) -> Any:

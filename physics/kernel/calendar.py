@@ -27,6 +27,7 @@ from .laws import hit_ball, hit_wall, law_at
 from .leg import begin, brake, carry, end, reach
 from .notes import note, open_notes
 from .obstacle import facing, meet_any, meet_first, meet_first_aloft, meet_framed
+from .opening import leave_through
 from .plastic import SQUEEZED
 from .squeeze import clamped, meet_others, release, roll_along
 from .subset import inf, kernel, nan, whole
@@ -54,6 +55,8 @@ def start_leg(i, scene):
         else:
             until = meet_framed(ball, scene.walls, scene.frame, lasts)
             lasts = until if until >= 0.0 else meet_any(ball, scene.walls, lasts)
+    if len(scene.openings) > 0 and RESTING < ball.phase < OFF:
+        lasts = leave_through(ball, scene.openings, lasts)
     ball.leg_end = ball.since + lasts
     reach(ball, lasts)
     if scene.celled:

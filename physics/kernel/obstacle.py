@@ -322,7 +322,17 @@ def meet_first_aloft(ball, walls, rules, common, lasts):
         for k in range(len(walls)):
             if walls[k].kind == POCKET and clearance(walls[k], spot, 0.0) < 0.0:
                 ball.goal, ball.ending = k, DROP
+            elif ball.ending == LAND and came_down_on(walls[k], spot, ball.radius):
+                ball.goal, ball.ending = k, LEAVE
     return lasts
+
+
+@kernel
+def came_down_on(wall, p, radius):
+    """Would a ball that lands there lie in it, having come over its top?"""
+    if wall.kind == LINE or wall.kind == POCKET:
+        return False
+    return clearance(wall, p, radius) < -MARGIN * radius
 
 
 @kernel

@@ -84,6 +84,11 @@ class Fit(NamedTuple):
     noise: float
 
     @property
+    def table(self) -> Any:
+        """The world's `tables.Table` with what was found, which `tables.save` writes; or None."""
+        return self.world.table
+
+    @property
     def errors(self) -> Array:
         """(n,): standard deviations of the values."""
         import numpy as np

@@ -54,7 +54,7 @@ def run(options: argparse.Namespace, table: tables.Table) -> Iterator[str]:
         yield f"held out, with these values: misfit {MM * tested.misfit:.2f} mm"
         yield from map(_stroke, tested.strokes)
     if options.preset:
-        table_file.save(replace(table_file.of(found.world), name=options.name), options.preset)
+        table_file.save(replace(found.table, name=options.name), options.preset)
         yield f"written to {options.preset}: tables.load reads it"
     if options.png:
         from .residuals import draw

@@ -19,6 +19,7 @@ from physics.engines.exact import EventDriven
 from physics.kernel.impulses import WALL
 from physics.kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, REST, RESTING, ROLL, ROLLING
 from physics.kernel.lasting import FEW
+from physics.kernel.obstacle import NOBODY
 from physics.log import Event
 from physics.markup import table
 from physics.shot import Shot
@@ -338,8 +339,9 @@ class Replay:
         return self.kernel.laws.law_at(k, self.scene.rules, self.scene.cushion_rule)
 
     def _facing(self, k: int, p: Any) -> Any:
-        """The direction in which wall k pushes a ball at p."""
-        return self.kernel.obstacle.facing(self.scene.walls[k], p)
+        """The direction in which wall k pushes a ball at p, or opening NOBODY - k faces it."""
+        sides = self.scene.walls if k > NOBODY else self.scene.openings
+        return self.kernel.obstacle.facing(sides[k if k > NOBODY else NOBODY - k], p)
 
     def rest(self) -> Array:
         """(balls, 2, N): of the positions, once there are no more events."""

@@ -10,13 +10,18 @@ from physics.world import World
 from .table import Table
 
 
-def save(table: Table, path: str | os.PathLike[str]) -> None:
+def save(thing: Table | World, path: str | os.PathLike[str]) -> None:
     """Write the table to a file, all of it or nothing; `python -m physics fit --preset` does too.
 
-    ValueError for custom laws, which no file can hold; OSError where it cannot be written.
+    thing: a Table, or a World: the table that it stands on, with the cloth and laws it has now.
+    ValueError for anything else, a world without a table, and custom laws, which no file can hold;
+    OSError where it cannot be written.
     """
+    table: object = thing
+    if isinstance(thing, World) and isinstance(thing.table, Table):
+        table = of(thing)
     if not isinstance(table, Table):
-        raise ValueError(f"tables.save takes a Table, not {table!r:.60}")
+        raise ValueError(f"tables.save takes a Table or a World that has one, not {thing!r:.60}")
     store.save(table.world(), path)
 
 

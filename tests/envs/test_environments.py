@@ -1,6 +1,7 @@
 """Games as Gymnasium and PettingZoo have them."""
 
 import doctest
+import runpy
 import subprocess
 import sys
 import warnings
@@ -207,6 +208,10 @@ def test_noise_has_the_deviations_that_it_is_given():
     right, up = (shots[:, k] / shots[:, 0] / 2.5 for k in (4, 2))
     assert [right.std(), up.std()] == pytest.approx([1 / 30, 1 / 30], rel=0.03)
     assert not shots[:, 3].any()
+    raised = envs.FASTFIZ.shots(aims, errors, 0.03)
+    lifted = raised[:, 3] / raised[:, 4]  # a cue is never below level, so it curves to its side
+    assert lifted.min() >= 0.0
+    assert np.sqrt((lifted**2).mean()) == pytest.approx(np.radians(0.1), rel=0.03)
     assert (np.hypot(right, up) <= 0.51 + 1e-12).all()
 
 
@@ -347,3 +352,26 @@ def test_the_examples_of_the_page_are_what_they_say():
     failed, tried = doctest.testfile(str(page), module_relative=False)
     assert failed == 0
     assert tried > 10
+
+
+@pytest.mark.parametrize("name", [CANNONS[0], "danggu/Snooker-v0"])
+def test_what_an_action_would_bring_can_be_tried_and_changes_nothing(name):
+    table = gymnasium.make(name).unwrapped
+    table.reset(seed=6)
+    table.action_space.seed(6)
+    actions = np.array([table.action_space.sample() for _ in range(20)])
+    drawn = table.hall.chance.drawn.copy()
+    found = table.hall.tried(0, actions)
+    assert np.array_equal(table.hall.chance.drawn, drawn)
+    for k in range(3):
+        again = gymnasium.make(name).unwrapped
+        again.reset(seed=6)
+        info = again.step(actions[k])[-1]
+        assert info["reason"] == found.reason[k]
+
+
+def test_the_example_of_a_program_that_learns_does():
+    pytest.importorskip("numba")
+    learning = runpy.run_path(str(Path(__file__).parents[2] / "docs" / "learning.py"))
+    shares = [*learning["learned"](150, tables=512)]
+    assert np.mean(shares[-30:]) > 1.2 * np.mean(shares[:30])

@@ -40,7 +40,7 @@ def of_the_first(found):
 
 
 def test_a_record_says_its_edition_and_comes_out_the_same(record):
-    assert lines(record)[0]["edition"] == presets.EDITION == 3
+    assert lines(record)[0]["edition"] == presets.EDITION == 4
     played = read(str(record), OPTIONS)
     assert headless(played, new_game(played.setup)).state == "same"
 
@@ -78,11 +78,11 @@ def test_the_two_editions_differ_where_they_should(record, tmp_path):
         games.append(new_game(played.setup))
         headless(played, games[-1])
     assert digest(games[0]) != digest(games[1])
-    assert [session.edition for session in games] == [3, 1]
+    assert [session.edition for session in games] == [4, 1]
 
 
 def test_an_edition_that_is_not_known_is_refused_by_its_number(record, tmp_path):
-    for strange in (4, "2", [1]):
+    for strange in (5, "2", [1]):
 
         def change(found, strange=strange):
             found[0]["edition"] = strange

@@ -47,12 +47,27 @@ def test_a_question_is_answered_by_a_key_and_nothing_is_typed_meanwhile():
     texts = list(session.aim.texts)
     write(app, "7")
     press(app, "down", "right")
-    assert app.view.sight.choice == 1
+    assert app.view.sight.choice == 0
     assert session.aim.texts == texts
     press(app, "3")
     assert session.contest.match.asked is None
     assert session.contest.match.at == 0  # the offender breaks again
     assert_same_as_anew(app)
+
+
+def test_a_question_is_not_answered_by_enter_or_the_button_before_a_row_is_chosen():
+    app = app_of("8-ball")
+    press(app, "return")
+    app.perform(Action("play", "0.2 0 0 0 0"))
+    press(app, "end", "return", "return")
+    session = app.session
+    click(app, app.view.sight.layout.shoot.center)
+    click(app, app.view.sight.layout.shoot.center)
+    assert len(asked_card.options(session)) == 3
+    assert_same_as_anew(app)
+    press(app, "up", "return")  # the last row
+    assert session.contest.match.asked is None
+    assert session.contest.match.at == 0
 
 
 def test_a_question_is_answered_by_a_click():
@@ -109,11 +124,10 @@ def test_the_tray_has_a_slot_for_each_ball_and_the_plates_say_the_groups():
 def test_a_few_strokes_of_each_game_by_keys_look_the_same_in_part_and_anew(game, lang):
     app = app_of(game, lang=lang)
     for _ in range(3):
-        press(app, "return")
-        for _ in range(6):
+        for _ in range(7):
             if app.session.moving:
                 break
-            press(app, "return")
+            press(app, "1" if asked_card.options(app.session) else "return")
         run_to_rest(app)
         assert_same_as_anew(app)
     assert app.session.shots == 3

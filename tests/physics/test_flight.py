@@ -16,6 +16,7 @@ from physics import (
     CueStroke,
     Shot,
     TimeStepping,
+    Wall,
     World,
     laws,
     sensitivity,
@@ -343,3 +344,14 @@ def test_an_elevated_cue_makes_the_ball_jump():
     assert (landing.kind, landing.time) == ("land", 0.0)
     assert landing.after[0].climb == pytest.approx(-0.5 * jump.climb, rel=1e-14)
     assert CueStroke(3.0).jump(world.ball("cue")) == CueStroke(3.0).shot(world.ball("cue"))
+
+
+def test_the_check_of_worlds_with_flights_sees_a_ball_on_the_cloth_in_a_wall_that_ends():
+    world = World(walls=[Wall.segment((-0.5, 0.0), (0.5, 0.0)), Wall.arc((0, 0), 0.5, 0.0, 180.0)])
+    ball = world.add(Ball("a", (0.0, 0.2)))
+    world.run()
+    state = world.log.at(0.0)["a"]
+    inside = [state._replace(position=at) for at in ((0.0, 0.02), (0.0, 0.49))]
+    for n in range(2):
+        assert aloft.clear(world, n, state, ball.radius) > 0.0
+        assert aloft.clear(world, n, inside[n], ball.radius) < -0.01

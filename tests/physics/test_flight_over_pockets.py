@@ -79,3 +79,23 @@ def test_compiled_flights_agree_in_every_bit():
     here, there = (simulate_many(world, "a", shots, compiled=c) for c in (True, False))
     assert np.array_equal(here.positions, there.positions, equal_nan=True)
     assert np.array_equal(here.events, there.events)
+
+
+CAME_DOWN_ON = [  # over a snooker table's noses: position, velocity, seconds until it lands
+    ((1.8601464248541033, 1.0614812314591213), (-0.31453107256054225, -0.3960050342494982), 0.279),
+    ((0.07433812507194712, -0.8516889875013784), (0.046915868714, -0.046676006259), 0.336539),
+    ((1.9901766053386087, -1.0579820018073485), (-0.7405452056691701, 0.9255072227430058), 0.24848),
+    ((-2.079963574532125, -0.7976740212646902), (0.603783456633482, -0.2446837151497105), 0.34124),
+]
+
+
+@pytest.mark.parametrize(("at", "velocity", "lasts"), CAME_DOWN_ON)
+def test_a_ball_that_comes_down_on_a_nose_is_off(at, velocity, lasts):
+    """It lay in it, and was pushed from one wall into another until the budget."""
+    world = tables.snooker_12ft()
+    world.engine = EventDriven(budget=300)
+    ball = world.add(Ball("a", at, velocity))
+    ball.climb = 0.5 * 9.81 * lasts
+    world.run()
+    assert ball.phase == "off"
+    assert world.log[-1].wall in {wall.name for wall in world.walls}

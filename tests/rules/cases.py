@@ -13,9 +13,9 @@ from typing import Any
 from danggu.rules import balkline, snooker
 from danggu.rules import straight_pool as straight
 from danggu.rules.carom import RESPOT
-from danggu.rules.eight_ball import ILLEGAL_BREAK
 from danggu.rules.match import Match
 from danggu.rules.nine_ball import SECOND
+from danggu.rules.reasons import ILLEGAL_BREAK
 from danggu.rules.spots import carom_spots, colour_spots, respotted
 from danggu.rules.state import BREAK
 from danggu.rules.verdict import Verdict

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from danggu.__main__ import main, world_of
+from danggu.players.errors import missed
 from danggu.players.levels import CLUB
-from danggu.players.noise import missed
 from danggu.rules import GAMES
 from danggu.rules.verdict import Turn
 from danggu.scores import scores

@@ -67,6 +67,7 @@ def scene(world: World) -> Any:
         walls=[record(wall) for wall in scene.walls], cloth=record(scene.cloth),
         ball_rule=record(scene.ball_rule), cushion_rule=record(scene.cushion_rule),
         rules=[record(rule) for rule in scene.rules],
+        openings=[record(side) for side in scene.openings],
         ties=package.body.ties(len(scene.balls)), grid=package.body.no_grid(len(scene.balls)),
     )  # fmt: skip
     package.calendar.plan(mine)

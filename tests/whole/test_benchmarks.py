@@ -9,15 +9,16 @@ from benchmarks import __main__ as benchmarks
 from benchmarks import report, scale, switches
 from benchmarks.crowds import field, gas
 from benchmarks.skips import go, planned
+from benchmarks.speed import compiled_fan
 from benchmarks.timing import in_turns
 from benchmarks.work_precision import Setting, order, sample
-from benchmarks.workload import break_shot, truth
+from benchmarks.workload import break_shot, fan, play_fan, truth
 from physics import scenes, simulate
 
 NEEDS = {
     "speed": ["numba"], "work-precision": ["numba", "mpmath", "matplotlib"],
     "scale": ["numba", "matplotlib"], "peers": ["numba"], "skips": [], "batch": ["numba"],
-    "frame": [],
+    "frame": [], "envs": ["gymnasium", "numba"],
 }  # fmt: skip
 # what these measure with is tried below, or needs nothing else than the pages of the others
 LONG = ("speed", "work-precision", "scale", "skips")
@@ -53,6 +54,13 @@ def test_every_command_says_how_it_is_used(command, capsys):
 def test_a_gas_goes_on_and_a_shot_among_many_ends():
     assert 40 <= scale.advance_for(gas(30), 40) < 80
     assert len(simulate(field(16), "0", scale.SHOT).log) > 4
+
+
+def test_the_compiled_fan_plays_the_shots_of_the_interpreted_one():
+    pytest.importorskip("numba")
+    batch = compiled_fan(12)
+    batch()
+    assert batch.events.sum() == play_fan(scenes.carom(), fan(720)[:12])
 
 
 def test_a_step_ends_off_the_exact_engine_by_what_it_is_late():

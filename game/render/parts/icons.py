@@ -17,7 +17,7 @@ Points = list[tuple[float, float]]
 def draw(
     surface: pygame.Surface, rect: pygame.Rect, name: str, s: float, colour: Colour = TEXT_SOFT
 ) -> pygame.Rect:
-    """Draw the icon `name` ("menu" "settings" "sound" "silent") in the middle of `rect`."""
+    """Draw an icon ("sketch" "menu" "settings" "sound" "silent") in the middle of `rect`."""
     picture = _icon(name, max(12, round(15 * s)), colour)
     return surface.blit(picture, picture.get_rect(center=rect.center))
 
@@ -30,6 +30,8 @@ def _icon(name: str, px: int, colour: Colour) -> pygame.Surface:
         _gear(large, colour)
     elif name == "menu":
         _bars(large, colour)
+    elif name == "sketch":
+        _pencil(large, colour)
     else:
         _speaker(large, colour, silent=name == "silent")
     return pygame.transform.smoothscale(large, (px, px))
@@ -41,6 +43,18 @@ def _bars(large: pygame.Surface, colour: Colour) -> None:
         bar = pygame.Rect(0, round(y * size), round(0.84 * size), round(0.11 * size))
         bar.centerx = size // 2
         pygame.draw.rect(large, (*colour, 255), bar, border_radius=round(0.05 * size))
+
+
+def _pencil(large: pygame.Surface, colour: Colour) -> None:
+    """A pencil from the top right to the point at the bottom left, with a gap before its end."""
+    size, ink = large.get_width(), (*colour, 255)
+    parts = (
+        ((0.06, 0.94), (0.12, 0.70), (0.30, 0.88)),
+        ((0.16, 0.66), (0.62, 0.20), (0.80, 0.38), (0.34, 0.84)),
+        ((0.67, 0.15), (0.78, 0.04), (0.96, 0.22), (0.85, 0.33)),
+    )
+    for part in parts:
+        pygame.draw.polygon(large, ink, [(x * size, y * size) for x, y in part])
 
 
 def _gear(large: pygame.Surface, colour: Colour) -> None:

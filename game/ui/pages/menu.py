@@ -43,6 +43,8 @@ class MenuPage:
         """Why the last characters did not go into the row: "digits" or "full"."""
         self.offers: Callable[[], str] = str
         """Asks for the line of the match that can be gone on with, "" if there is none."""
+        self.own: Callable[[], str] = str
+        """Asks for the key of the player's own table, "" if there is none."""
         self._offered = ""
         self._left: MenuRow | None = None
         """The row of text that was left last: a syllable may come only then."""
@@ -141,7 +143,7 @@ class MenuPage:
 
     def _step(self, event: pygame.event.Event, row: MenuRow) -> None:
         if event.key in CHANGES:
-            self.terms = stepped(self.terms, row, CHANGES[event.key])
+            self.terms = stepped(self.terms, row, CHANGES[event.key], self.own())
             self._focus(self.focus)
         elif row.kind == "number" and not getattr(event, "mod", 0) & editing.COMMAND:
             char = character(event) or (chr(event.key) if 32 <= event.key < 127 else "")
@@ -209,7 +211,7 @@ class MenuPage:
         if row is None:
             return self._do(BUTTONS[spot.place - len(self.rows)])
         if spot.step:
-            self.terms = stepped(self.terms, row, spot.step)
+            self.terms = stepped(self.terms, row, spot.step, self.own())
             self._focus(self.focus)
         return None
 

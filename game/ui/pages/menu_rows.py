@@ -18,6 +18,7 @@ from game.session.terms import (
     Terms,
 )
 from game.table import presets
+from game.table.own_table import base, is_own
 from game.text.numerals import typed
 
 
@@ -52,14 +53,20 @@ def rows(terms: Terms) -> list[MenuRow]:
     return left + right
 
 
-def stepped(terms: Terms, row: MenuRow, step: int) -> Terms:
-    """The terms with a row `step` choices on."""
+def tables(terms: Terms, own: str) -> tuple[str, ...]:
+    """The tables to choose from; own: the key of the player's own, or ""."""
+    more = dict.fromkeys(key for key in (own, terms.table) if is_own(key))
+    return (*terms.tables, *(key for key in more if base(key) in terms.tables))
+
+
+def stepped(terms: Terms, row: MenuRow, step: int, own: str = "") -> Terms:
+    """The terms with a row `step` choices on; own: the key of the player's own table, or ""."""
     if row.name == "players":
         two = (*terms.seats, Contestant())[:2]
         return replace(terms, seats=two if len(terms.seats) == 1 else two[:1])
     if row.seat >= 0:
         return _seated(terms, row, _stepped_seat(terms.seats[row.seat], row, step))
-    keys = terms.tables if row.name == "table" else CHOICES[row.name]
+    keys = tables(terms, own) if row.name == "table" else CHOICES[row.name]
     way = (step > 0) - (step < 0)
     value: Any = keys[(keys.index(getattr(terms, row.name)) + way) % len(keys)]
     if row.name == "game":

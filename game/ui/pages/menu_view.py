@@ -13,6 +13,7 @@ from game.render.parts import shapes, text_line
 from game.render.parts.text_line import TextLine
 from game.render.theme import ACCENT, LINE_INPUT, PANEL_RAISED
 from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, SKILLS, Terms
+from game.table.own_table import is_own
 from game.text.text_field import TextField
 from game.ui.names import player_name
 from game.ui.sight import Sight
@@ -215,7 +216,9 @@ def value_word(row: MenuRow, terms: Terms, w: dict[str, str]) -> str:
     value = getattr(terms, row.name)
     if isinstance(value, bool):
         return w["yes" if value else "no"]
-    return str(value) if isinstance(value, int) else w[f"{row.name}.{value}"]
+    if isinstance(value, int):
+        return str(value)
+    return w[f"{row.name}.own" if row.name == "table" and is_own(value) else f"{row.name}.{value}"]
 
 
 def _row(

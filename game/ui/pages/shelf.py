@@ -14,6 +14,7 @@ from game.session.session import Session
 from game.table import lineup
 from game.table.library import LONGEST_NAME, Library
 from game.table.lineup import MARK, LineError, Lineup
+from game.table.own_table import base
 from game.text.text_field import TextField
 from game.ui.sight import Sight
 from game.window import clipboard
@@ -87,7 +88,7 @@ class ShelfPage:
     @staticmethod
     def _usual(session: Session) -> int:
         """The group of the game that is played, or of the table."""
-        own = session.table if session.contest is None else session.contest.terms.game
+        own = base(session.table) if session.contest is None else session.contest.terms.game
         kind = getattr(session.world.table, "kind", "carom")
         if kind != "carom":
             return GROUPS.index(kind)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -14,7 +15,7 @@ from game.render.parts.text_line import TextLine
 from game.render.table.finish import FINISHES
 from game.render.theme import ACCENT, LINE, LINE_INPUT, PANEL_RAISED, mix
 from game.table import presets
-from game.table.lineup import Lineup
+from game.table.lineup import UNMADE, Lineup
 from game.text.text_field import TextField
 from game.ui.sight import Sight
 from game.ui.table.looks import kind_of, looks_of
@@ -196,7 +197,19 @@ def _box(surface: pygame.Surface, sight: Sight, shelf: ShelfLook) -> None:
 
 @lru_cache(maxsize=128)
 def thumbnail(lineup: Lineup, room: tuple[int, int], colours: str) -> pygame.Surface:
-    """Return a small table with its balls, as large as fits into `room` px."""
+    """Return a small table with its balls, as large as fits into `room` px.
+
+    Empty if its world cannot be made: one set-up must not take the shelf away.
+    """
+    try:
+        return _miniature(lineup, room, colours)
+    except UNMADE as error:
+        said = f"no picture of set-up {lineup.table!r}: {error!r}"
+        warnings.warn(said, RuntimeWarning, stacklevel=2)
+        return pygame.Surface((1, 1), pygame.SRCALPHA)
+
+
+def _miniature(lineup: Lineup, room: tuple[int, int], colours: str) -> pygame.Surface:
     world = presets.scene_world(lineup.table) if lineup.table in presets.SCENES else lineup.world()
     length, width = presets.size(world)
     border = 0.07

@@ -101,12 +101,12 @@ def tip_wheel(steps: int, sight: Sight) -> Action:
 
 def power_key(sight: Sight) -> Hashable:
     """What the power bar depends on."""
-    return sight.session.aim.number("speed")
+    return sight.session.aim.power
 
 
 def power_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     """Draw the power bar, with more room for slow shots than for fast ones."""
-    w, speed = sight.words, sight.session.aim.number("speed")
+    w, speed = sight.words, sight.session.aim.power
     value = number(speed) if speed is not None else "–"
     part = share(speed or 0.0)
     ticks = [(share(v), str(v) if v in NAMED else "") for v in TICKS]

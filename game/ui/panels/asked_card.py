@@ -44,14 +44,22 @@ def key(event: pygame.event.Event, sight: Sight) -> tuple[bool, Action | None]:
         return False, None
     first = _first(sight, len(given))
     if event.key in DIGITS:
-        place = first + DIGITS[event.key]
-        return True, Action("answer", given[place].key) if place < len(given) else None
+        return True, _answer(sight, given, first + DIGITS[event.key])
     if event.key in STEPS:
-        sight.choice = (sight.choice + STEPS[event.key]) % len(given)
+        way = STEPS[event.key]
+        sight.choice = (max(sight.choice, -(way > 0)) + way) % len(given)
         return True, None
     if event.key in ENTER:
-        return True, Action("answer", given[min(sight.choice, len(given) - 1)].key)
+        return True, _answer(sight, given, sight.choice)
     return False, None
+
+
+def _answer(sight: Sight, given: tuple[Option, ...], place: int) -> Action | None:
+    """The answer at a place, None if there is none; another question begins without a choice."""
+    if not 0 <= place < len(given):
+        return None
+    sight.choice = -1
+    return Action("answer", given[place].key)
 
 
 def _shown(sight: Sight) -> int:
@@ -146,15 +154,15 @@ def _row(surface: pygame.Surface, sight: Sight, place: int, option: Option, focu
 def _touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
     given = options(sight.session)
     first = _first(sight, len(given))
-    for place, option in enumerate(given[first : first + _shown(sight)]):
+    for place in range(len(given[first : first + _shown(sight)])):
         if row_rect(sight.layout, place).collidepoint(at):
-            return Action("answer", option.key)
+            return _answer(sight, given, first + place)
     return None
 
 
 def _wheel(steps: int, sight: Sight) -> Action | None:
     given = options(sight.session)
-    sight.choice = min(max(sight.choice - steps, 0), max(len(given) - 1, 0))
+    sight.choice = min(max(max(sight.choice, 0) - steps, 0), max(len(given) - 1, 0))
     return None
 
 

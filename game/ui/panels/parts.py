@@ -11,13 +11,15 @@ from game.aim.entry import BOXES, MINUS, MOST, Fault, shown
 from game.render.layout import Layout
 from game.render.parts import cards, fields, icons
 from game.render.parts.text_line import TextLine
+from game.render.theme import ACCENT, TEXT_SOFT
 from game.session.action import Action
 from game.session.notice import Notice
 from game.session.session import Session
+from game.table.own_table import is_own
 from game.ui.sight import Place, Sight
 from game.ui.table.looks import ball_words
 
-from . import prompts, tray
+from . import prompts, tray, warning
 
 WARNINGS = ("miscue",)
 """Notices of something that was put right, so that the shot can be played."""
@@ -136,7 +138,7 @@ def _shoot_look(sight: Sight) -> tuple[str, str, str]:
     hot = sight.pointer.over == "shoot"
     state = ("pressed" if sight.pointer.down else "hover") if hot else "idle"
     label, cap, action = prompts.button(session)
-    if action.name in ("fire", "next") and session.aim.shown_faults:
+    if action is None or (action.name in ("fire", "next") and session.aim.shown_faults):
         state = "disabled"
     return w[label], w[cap] if cap else "", state
 
@@ -173,7 +175,7 @@ def hint(session: Session, w: dict[str, str]) -> tuple[str, bool]:
 def _noticed(notice: Notice, session: Session, w: dict[str, str]) -> str:
     names = {"law": w[f"law.{session.law}"], "engine": w[f"engine.{session.engine}"]}
     names["ball"] = ball_words(notice.about, w) if notice.about else ""
-    return w[f"notice.{notice.key}"].format(**names)
+    return w[f"notice.{notice.key}"].format(*notice.about.split(), **names)
 
 
 def _situation(session: Session) -> str:
@@ -191,6 +193,8 @@ def _situation(session: Session) -> str:
 def _hint_look(sight: Sight) -> tuple[str, bool, bool]:
     """The line, whether it is an error, and whether it warns of what is done all the same."""
     notice = sight.session.notice
+    if notice is None and (said := warning.of(sight)):
+        return said, False, True
     return *hint(sight.session, sight.words), notice is not None and notice.key in WARNINGS
 
 
@@ -203,7 +207,8 @@ def _hint_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyga
 
 def badge(session: Session, w: dict[str, str]) -> tuple[str, str]:
     """Engine and laws in use, and the table."""
-    table = w.get("table." + session.table) or w["position." + session.table]
+    key = "own" if is_own(session.table) else session.table
+    table = w.get("table." + key) or w["position." + key]
     if getattr(session.world.cushion_law, "creates_energy", False):
         table = f"{w['law.creates']} · {table}"
     return f"{w['engine.' + session.engine]} · {w['law.' + session.law]}", table
@@ -215,7 +220,12 @@ def _short_badge(session: Session, w: dict[str, str]) -> str:
     return f"{w['engine.short.' + session.engine]} · {law}"
 
 
-TOOLS = {"menu": Action("sheet", "menu"), "mute": Action("mute"), "settings": Action("settings")}
+TOOLS = {
+    "sketch": Action("sketch"),
+    "menu": Action("sheet", "menu"),
+    "mute": Action("mute"),
+    "settings": Action("settings"),
+}
 """The small buttons at the top right of the card, and what they do."""
 
 
@@ -229,7 +239,8 @@ def _tools(rect: pygame.Rect, sight: Sight) -> dict[str, pygame.Rect]:
 
 
 def _engine_key(sight: Sight) -> Hashable:
-    return badge(sight.session, sight.words), sight.preferences.audio.silent
+    session = sight.session
+    return badge(session, sight.words), sight.preferences.audio.silent, session.sketching
 
 
 def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -240,7 +251,8 @@ def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
     cards.engine(surface, rect, sight.type, first, second, sight.words["corner"], kept=kept)
     pictures = {"mute": "silent" if sight.preferences.audio.silent else "sound"}
     for name, box in _tools(rect, sight).items():
-        icons.draw(surface, box, pictures.get(name, name), sight.layout.s)
+        ink = ACCENT if name == "sketch" and sight.session.sketching else TEXT_SOFT
+        icons.draw(surface, box, pictures.get(name, name), sight.layout.s, ink)
     return rect
 
 

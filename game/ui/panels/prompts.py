@@ -10,16 +10,19 @@ from game.session.action import Action
 from game.session.running_match import Contest
 from game.session.session import Session
 
-Button = tuple[str, str, Action]
-"""Keys of the texts for the label and the key cap, and what a press means."""
+Button = tuple[str, str, Action | None]
+"""Keys of the texts for the label and the key cap, and what a press means, None for nothing."""
 ENTER = "key.enter"
-SHOOT, FINISH = ("shoot", ENTER, Action("shoot")), ("shoot", "key.fire", Action("fire"))
+ASKED: Button = "asked.first", "asked.keys", None
+"""While a match asks something: a second press of what ended the stroke must not answer."""
+SHOOT: Button = "shoot", ENTER, Action("shoot")
+FINISH: Button = "shoot", "key.fire", Action("fire")
 """To shoot what is in the boxes; while they are edited RETURN goes on to the next one."""
-COMPLETE = "complete", ENTER, Action("next")
+COMPLETE: Button = "complete", ENTER, Action("next")
 """For an entry that was left half way: as RETURN in the last box does."""
-STOP = "stop", "key.space", Action("stop")
-NEXT = "next", ENTER, Action("edit", 0)
-RESUME = "resume", "key.p", Action("pause")
+STOP: Button = "stop", "key.space", Action("stop")
+NEXT: Button = "next", ENTER, Action("edit", 0)
+RESUME: Button = "resume", "key.p", Action("pause")
 WATCHED: dict[str, Button] = {
     "replay.playing": ("hold", "key.p", Action("pause")),
     "replay.paused": RESUME,
@@ -34,9 +37,8 @@ def button(session: Session) -> Button:
     if session.notice is not None and session.notice.key in WATCHED:
         return WATCHED[session.notice.key]
     contest = session.contest
-    if contest is not None and asking(session):
-        assert contest.match.asked is not None
-        return "asked.first", "asked.keys", Action("answer", contest.match.asked.options[0].key)
+    if asking(session):
+        return ASKED
     if session.arranging:
         if contest is not None and not contest.match.finished:
             return "hand.done", ENTER, Action("arrange")
@@ -80,7 +82,7 @@ def _of_match(session: Session, editing: bool) -> Button | None:
 def entered(session: Session) -> Action:
     """What RETURN means in play: what the button does, if it names that key."""
     _, cap, action = button(session)
-    return action if cap == ENTER else Action("shoot")
+    return action if cap == ENTER and action is not None else Action("shoot")
 
 
 def hint(session: Session) -> str | None:
@@ -88,6 +90,8 @@ def hint(session: Session) -> str | None:
     contest = session.contest
     if asking(session):
         return "asked.hint"
+    if session.sketching and not session.moving:
+        return "hint.sketch"
     if session.arranging and contest is not None and not contest.match.finished:
         return "hint.hand"
     if session.arranging:

@@ -50,7 +50,8 @@ def pose(session: Session, still: bool) -> Pose | None:
             return None
         ball = session.world.ball(session.cue)
         steep = tip_of(shot).elevation or 0.0
-        return Pose(ball.position, radians(shot.angle), pull(shot.speed), 1.0, ball.radius, steep)
+        back = pull(session.aim.power or shot.speed)
+        return Pose(ball.position, radians(shot.angle), back, 1.0, ball.radius, steep)
     if not (session.shown_shot and session.shots) or still:
         return None
     return _stroke(session, session.timeline.moment - session.began)

@@ -52,7 +52,7 @@ def on_cue(at: complex, sight: Sight) -> bool:
         return False
     own = session.world.ball(session.cue)
     away = (_ball(sight) - at) * rect(1.0, -radians(shot.angle))
-    start = own.radius + pull(shot.speed)
+    start = own.radius + pull(session.aim.power or shot.speed)
     reach = REACH * sight.layout.s / sight.layout.scale
     return start - reach < away.real < start + cue_stick.LENGTH and abs(away.imag) < reach
 
@@ -90,7 +90,7 @@ def _on_ball(at: complex, sight: Sight) -> bool:
 
 def _grip(kind: str, at: complex, sight: Sight) -> Grip:
     aim = sight.session.aim
-    return Grip(kind, at, aim.angle or 0.0, share(aim.shot.speed) if aim.shot else 0.0)
+    return Grip(kind, at, aim.angle or 0.0, share(aim.power or 0.0) if aim.shot else 0.0)
 
 
 def _pulled(grip: Grip, at: complex) -> Action:

@@ -22,6 +22,7 @@ from .dropped import AWAY, Dropped
 from .furniture import falls_into, furnished, holes
 from .looks import kind_of, looks_of
 from .orientations import Orientations
+from .sketch import Sketch
 from .trail import Trail
 
 SHADOW = 2.3
@@ -47,7 +48,7 @@ class Stage:
         self.layout = layout
         self.base, wells = furnished(layout, session.world)
         self.lines = self.base.copy()
-        self.settings = settings
+        self.settings, self.sketch = settings, Sketch()
         kind, radii = kind_of(session.world), [ball.radius for ball in session.world.balls]
         self.looks = looks_of(session.world, settings.colours)
         cloth, many = FINISHES[kind].cloth, kind != "carom"
@@ -123,7 +124,7 @@ class Stage:
     def _draw_lines(self, session: Session) -> list[pygame.Rect]:
         """Redraw what lies under the balls if it is not what it was."""
         aids = self.settings.aids
-        key = marks.key(session, aids), self._fanned(session)
+        key = marks.key(session, aids), self._fanned(session), self.sketch.key(session)
         if key == self._under:
             grown = self.trail.draw(self.lines, self.layout, session, self.looks)
             self._marked += grown
@@ -137,6 +138,7 @@ class Stage:
         given = self.lines, self.layout, session, self.looks
         self._marked = fan + marks.draw(*given, aids, self.holes)
         self._marked += self._labels(session)
+        self._marked += self.sketch.draw(self.lines, self.layout, session)
         self.lines.set_clip(None)
         self.trail.undrawn()
         self._marked += self.trail.draw(self.lines, self.layout, session, self.looks)

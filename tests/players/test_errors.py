@@ -5,8 +5,8 @@ from random import Random
 import numpy as np
 import pytest
 
+from danggu.players.errors import missed
 from danggu.players.levels import EXPERT, MISCUE, NOVICE, PERFECT, Attempt
-from danggu.players.noise import missed
 
 RADIUS = 0.03075
 SHOTS = np.array([[3.0, 40.0, 1.5, 0.2, -2.0, 0.4], [2.0, 170.0, 0.0, 0.0, 0.0, 0.0]])
