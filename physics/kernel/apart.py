@@ -12,9 +12,11 @@ from .laws import (
     rigid_cushion,
 )
 from .motion import length
-from .plastic import ROUNDING, energy, keep, loan
+from .plastic import energy, keep, loan
 from .subset import complex, kernel
 from .tilt import tilt
+
+SLIGHT = 1e-9  # of the energy: what one contact lends another, and rounding
 
 
 @kernel
@@ -26,7 +28,7 @@ def hop_apart(members, chosen, scene):
     keep(members, balls, ties)
     if not press_apart(chosen, balls, ties, scene.ball_rule, scene.rules, scene.cushion_rule):
         return False
-    return energy(members, balls, ties) <= (1.0 + ROUNDING) * most
+    return energy(members, balls, ties) <= (1.0 + SLIGHT) * most
 
 
 @kernel

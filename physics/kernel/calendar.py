@@ -283,8 +283,8 @@ def stay(i, j, time, held, scene):
     """Ball i meets ball j or wall -1 - j slowly, or is held between walls and balls: NOTHING yet,
     if they do not stay together."""
     members, contacts = lean(i, j, time, held, scene)
-    if contacts <= 0:
-        return NOTHING if contacts == 0 else UNSOLVED, members
+    if contacts == 0:
+        return NOTHING, members
     go_on(members, scene)
     return LASTING, contacts
 

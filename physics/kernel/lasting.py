@@ -302,7 +302,7 @@ def lean(i, j, time, held, scene):
     """Ball i meets ball j, or wall -1 - j, slowly, or is held between balls and walls: (balls,
     contacts) if they stay together.
 
-    No contacts if they do not, and -1 if impulses could not be found.
+    No contacts if they do not.
     """
     balls, ties, walls, cloth = scene.balls, scene.ties, scene.walls, scene.cloth
     members, contacts = gather_slow(i, j, time, held, balls, ties, walls, scene.grid, cloth.slide)
@@ -322,8 +322,8 @@ def lean(i, j, time, held, scene):
         carry(balls[ties.member[m]], time, cloth)
     lent, chosen = aim_all(contacts, time, most, lasting, held, scene)
     hops = hop_apart(members, chosen, scene)
-    if not hops and not wedge(members, contacts, aside(contacts, balls, ties), balls, ties):
-        return members, -1
+    if not hops:
+        wedge(members, contacts, aside(contacts, balls, ties), balls, ties)
     for m in range(members):
         ball = balls[ties.member[m]]
         ball.hopped, ball.met, ball.lent = time, i, lent if hops else 0.0

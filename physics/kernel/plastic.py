@@ -5,11 +5,12 @@ speed along the little way out. The group then goes on as the nearest motion in 
 rolls and no contact closes: a projection on a convex cone, which never makes energy.
 """
 
-from .impulses import PUSH, ask, other, parting, solve
+from .impulses import PUSH, act, ask, other, parting, solve
 from .motion import length
-from .subset import kernel
+from .subset import complex, kernel
 
 SQUEEZED = 1000  # for the count of hits in one instant: it goes along the walls that hold it
+SWEEPS = 100  # through all contacts: what still closes then meets again at once, and stops
 ROUNDING = 1e-12  # of the energy, and of a speed
 
 
@@ -32,8 +33,9 @@ def loan(chosen, balls, ties):
     for k in range(chosen):
         tie = ties.contacts[ties.chosen[k]]
         closing = parting(tie, balls)
-        spare = tie.target * tie.target - closing * closing
-        lent += max(balls[tie.first].mass, balls[other(tie)].mass) * max(spare, 0.0)
+        if tie.target > abs(closing):
+            spare = tie.target * tie.target - closing * closing
+            lent += max(balls[tie.first].mass, balls[other(tie)].mass) * spare
     return chosen * lent
 
 
@@ -49,31 +51,35 @@ def keep(members, balls, ties):
 def wedge(members, contacts, least, balls, ties):
     """From how they moved before: roll where no contact closes, or if that was done just now, stop.
 
-    No energy comes of it. False if there is no telling.
+    No energy comes of it.
     """
-    again = False
-    for m in range(members):
-        again = again or balls[ties.member[m]].trapped >= SQUEEZED
+    again = balls[ties.member[0]].trapped >= SQUEEZED  # the ball that the event belongs to
+    turn_to_rolling(members, balls, ties)
+    had = energy(members, balls, ties)
     if again:
         stop(members, balls, ties)
-        return True
-    for target in (least, 0.0):
+    elif not part(contacts, least, balls, ties) or not lossy(members, had, balls, ties):
         turn_to_rolling(members, balls, ties)
-        had = energy(members, balls, ties)
-        solved = part(contacts, target, balls, ties)
-        for m in range(members):
-            ball = balls[ties.member[m]]
-            ball.roll, ball.trapped = ball.velocity, SQUEEZED
-        if solved and energy(members, balls, ties) <= (1.0 + ROUNDING) * had:
-            return True
-    return False
+        give_way(contacts, balls, ties)
+    for m in range(members):
+        ball = balls[ties.member[m]]
+        ball.roll, ball.trapped = ball.velocity, SQUEEZED
+
+
+@kernel
+def lossy(members, had, balls, ties):
+    """Do they have no more energy than they had, if they roll?"""
+    for m in range(members):
+        ball = balls[ties.member[m]]
+        ball.roll = ball.velocity
+    return energy(members, balls, ties) <= (1.0 + ROUNDING) * had
 
 
 @kernel
 def stop(members, balls, ties):
     for m in range(members):
         ball = balls[ties.member[m]]
-        ball.velocity, ball.roll, ball.side = 0j, 0j, 0.0
+        ball.velocity, ball.roll = 0j, 0j
 
 
 @kernel
@@ -86,11 +92,11 @@ def turn_to_rolling(members, balls, ties):
 
 
 @kernel
-def part(contacts, target, balls, ties):
-    """Pushes that open all contacts at least so fast."""
+def part(contacts, least, balls, ties):
+    """Pushes that open all contacts at least so fast; False if they cannot be found."""
     for c in range(contacts):
         tie = ties.contacts[c]
-        ties.chosen[c], tie.target, tie.total = c, target, 0.0
+        ties.chosen[c], tie.target, tie.total = c, least, 0.0
         ask(PUSH, tie, balls)
     if not solve(PUSH, contacts, balls, ties):
         return False
@@ -98,3 +104,17 @@ def part(contacts, target, balls, ties):
         tie = ties.contacts[c]
         tie.total = tie.size * tie.impulse.real
     return True
+
+
+@kernel
+def give_way(contacts, balls, ties):
+    """One contact after the other stops closing, again and again: each takes energy."""
+    for c in range(contacts):
+        ties.contacts[c].total = 0.0
+    for _ in range(SWEEPS):
+        for c in range(contacts):
+            tie = ties.contacts[c]
+            closing = -parting(tie, balls)
+            if closing > 0.0:
+                act(PUSH, tie, balls, complex(tie.size * closing, 0.0))
+                tie.total += tie.size * tie.size * closing
