@@ -34,12 +34,14 @@ class Sample(NamedTuple):
 def off(shot: Shot, rng: Random) -> Shot:
     """The shot as it may come out."""
     lever = LEVER * TIP * shot.speed
+    share = max(0.1, rng.gauss(1.0, SPEED))
     return Shot(
-        speed=shot.speed * max(0.1, rng.gauss(1.0, SPEED)),
+        speed=shot.speed * share,
         angle=rng.gauss(shot.angle, ANGLE),
         follow=rng.gauss(shot.follow, lever),
         masse=shot.masse,
         side=rng.gauss(shot.side, lever),
+        climb=shot.climb * share,
     )
 
 

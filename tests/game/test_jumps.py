@@ -1,17 +1,20 @@
 """A raised cue makes the ball hop, and balls and cushions behind the cue ball raise it."""
 
 from math import cos, radians, sin
+from random import Random
 
 import pytest
 
 from game.aim import cue_room
 from game.aim.entry import Aim
+from game.aim.spread import off
 from game.aim.tip import STEEPEST, Tip
 from game.session.action import Action
 from game.session.commands import perform
 from game.session.session import Session
 from game.table import lineup, presets
-from physics import Ball, CueStroke, tables
+from game.ui.table import cue_pose
+from physics import Ball, CueStroke, Shot, tables
 from tests.support.racked_games import leave, playing
 
 RADIUS = tables.pool(9).radius
@@ -81,6 +84,13 @@ def test_the_ball_of_a_raised_cue_flies_over_another_as_its_preview_says():
     session.world.run(4.0)
     assert session.world.ball("near").position == (-0.1, 0.0)
     assert session.world.ball("far").position != (0.5, 0.0)
+
+
+def test_the_spread_of_a_jump_jumps_as_hard_as_it_is_struck():
+    shot = Shot(3.0, climb=-2.0)
+    for seed in range(5):
+        one = off(shot, Random(seed))
+        assert one.climb / one.speed == pytest.approx(-2.0 / 3.0)
 
 
 def test_numbers_that_are_typed_are_all_there_is_and_turning_keeps_a_raised_cue():
@@ -185,3 +195,14 @@ def test_a_jump_over_a_ball_is_a_foul_in_snooker_and_none_in_pool(name, steep):
     verdict = session.contest.verdict
     assert verdict.facts.hits[0] == (second if steep else first).removeprefix("b")
     assert verdict.foul == (name == "snooker" and steep == 45)
+
+
+# -- the picture -----------------------------------------------------------------------------------
+
+
+def test_a_raised_cue_is_drawn_raised_before_the_stroke_and_in_it():
+    session = game(cue=(0.0, 0.0))
+    do(session, "elevate 40")
+    assert cue_pose.pose(session, False).elevation == 40.0
+    do(session, "fire")
+    assert cue_pose.pose(session, False).elevation == 40.0

@@ -69,4 +69,4 @@ def _stroke(session: Session, time: float) -> Pose | None:
     alpha = 1.0 - max(0.0, time - THROUGH) / FADE
     angle = atan2(struck.velocity[1], struck.velocity[0])
     radius = session.world.ball(session.shooter).radius
-    return Pose(struck.position, angle, -ahead, round(alpha, 2), radius)
+    return Pose(struck.position, angle, -ahead, round(alpha, 2), radius, session.aim.raised)
