@@ -35,8 +35,7 @@ if TYPE_CHECKING:
 APART = 0.1  # m along a drawing: nearer points are wrong together
 FINE = 0.01  # m along a path
 TICK = 0.01  # s
-SHORTEST = 0.1  # m: a drawing is longer
-BEGUN, BEGUN_NOISES = 0.25, 10.0  # m, noises: it begins no farther from the ball
+SHORTEST, BEGUN = 0.1, 0.25  # m: a drawing is longer, and begins no farther from its ball
 BEND = 3.0  # noises: misses beyond count less
 HABIT = {"speed": (3.0, 1.5), "follow": (0.4, 0.5), "masse": (0.0, 0.1), "side": (0.0, 0.5)}
 """How players strike, mean and deviation: m/s, and for spins shares of the speed."""
@@ -71,8 +70,7 @@ class Drawn(NamedTuple):
     @property
     def errors(self) -> dict[str, float]:
         """Standard deviations of the five numbers, by name."""
-        wide = [sqrt(x) for x in self.covariance.diagonal().tolist()]
-        return dict(zip(NUMBERS, wide, strict=True))
+        return dict(zip(NUMBERS, map(sqrt, self.covariance.diagonal().tolist()), strict=True))
 
 
 def recover_drawn(
@@ -91,8 +89,7 @@ def recover_drawn(
     given: numbers of the shot that are known; by default the cue is level, so that masse is 0.
 
     See docs/physics.md, "Recovering a shot from a drawing". ValueError for a path that is none or
-    begins elsewhere, for an unknown name, if the world has no such ball, or the engine is not
-    EventDriven.
+    begins elsewhere, a name or ball that there is not, or an engine other than EventDriven.
     """
     if not isinstance(world.engine, EventDriven):
         raise ValueError(f"recover_drawn needs the engine EventDriven, not {world.engine!r}")
@@ -102,8 +99,7 @@ def recover_drawn(
         finite(f"recover_drawn: given {name}", number)
     noise = positive("recover_drawn noise", noise)
     cue, drawn = world.ball(ball), _points(path, noise)
-    away = abs(complex(drawn[0]) - complex(*cue.position))
-    if not away <= max(BEGUN, BEGUN_NOISES * noise):
+    if (away := abs(complex(drawn[0]) - complex(*cue.position))) > max(BEGUN, 10.0 * noise):
         raise ValueError(f"recover_drawn: path begins {away:.3g} m from ball {cue.name!r}")
     return _Search(world, cue.name, drawn, noise, rests, given).found()
 
@@ -116,8 +112,7 @@ def _points(path: Any, noise: float) -> Points:
     if drawn.ndim != 2 or drawn.shape[1] != 2 or not np.isfinite(drawn).all():
         raise ValueError(f"recover_drawn: path must be finite points (n, 2), not {drawn.shape}")
     spots = drawn[:, 0] + 1j * drawn[:, 1]
-    length = float(np.abs(np.diff(spots)).sum())
-    if length < max(SHORTEST, 4.0 * noise):
+    if (length := float(np.abs(np.diff(spots)).sum())) < max(SHORTEST, 4.0 * noise):
         raise ValueError(f"recover_drawn: a path of {length:.3g} m is too short to tell a shot by")
     return _spaced(spots, APART)
 

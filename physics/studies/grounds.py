@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from math import fsum
 
 from physics.engines.engine import Movable
 from physics.room import inside
@@ -74,4 +75,4 @@ def _closed(way: list[complex]) -> bool:
 
 
 def _area(corners: list[complex]) -> float:
-    return abs(sum((p.conjugate() * q).imag for p, q in pairwise([*corners, corners[0]])))
+    return abs(fsum((p.conjugate() * q).imag for p, q in pairwise([*corners, corners[0]])))

@@ -96,8 +96,8 @@ def test_copies_forks_shots_files_and_other_processes_keep_the_table():
 
 @pytest.mark.parametrize("table", ALL, ids=named)
 def test_a_file_keeps_all_of_a_table_and_its_laws_when_the_world_has_others(table):
-    world = standing(table)
-    world.cushion_law, world.ball_law = "mathavan", "smooth"
+    world = World(table.cloth, "smooth", "mathavan", table=table, walls=table.world().walls)
+    assert world.table == table  # what is assigned later would be its table's too
     loaded = store.loads(store.dumps(world))
     assert loaded.table == table
     assert loaded.table.obstacles == table.obstacles
@@ -134,8 +134,9 @@ def test_a_file_whose_table_is_none_says_where(spoil, message):
 
 
 def test_a_table_with_a_law_of_one_s_own_cannot_be_saved():
-    world = replace(tables.MATCH_CAROM, ball_law=lambda v, roll, side, mass: (mass, 0j)).world()
-    world.ball_law = "rough"
+    world = World(
+        table=replace(tables.MATCH_CAROM, ball_law=lambda v, roll, side, mass: (mass, 0j))
+    )  # with laws of its own: what is assigned to a world is its table's too
     with pytest.raises(ValueError, match="the table's ball law"):
         store.dumps(world)
 

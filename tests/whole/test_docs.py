@@ -34,6 +34,11 @@ def test_the_examples_of_the_tables_are_what_they_say():
     assert (failed, tried) == (0, 18)
 
 
+def test_the_examples_of_the_physics_are_what_they_say():
+    failed, tried = doctest.testfile(str(DOCS / "physics.md"), module_relative=False)
+    assert (failed, tried) == (0, 24)
+
+
 SHOWING = [p for p in SOURCES if "physics" in p.parts and ">>> " in p.read_text("utf-8")]
 
 
