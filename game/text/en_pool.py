@@ -247,4 +247,7 @@ WORDS = {
     "warn.not_on": "Not on: {ball} is hit first",
     "warn.nothing": "No ball is hit",
     "warn.cue": "The cue ball goes down, {pocket}",
+    "sheet.rack.lost": "loses the rack",
+    "sheet.frame.lost": "loses the frame",
+    "sheet.break": "High break",
 }

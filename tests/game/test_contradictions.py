@@ -5,8 +5,8 @@ from itertools import combinations
 import pytest
 
 from game import options
-from game.contradictions import contradiction
 from game.__main__ import new_game
+from game.contradictions import contradiction
 from game.options import Options
 from game.settings.settings import Settings
 

@@ -29,4 +29,4 @@ def test_the_bar_gives_back_the_speed_that_it_shows(most):
 
 
 def test_every_table_is_offered_by_the_settings():
-    assert FREE_TABLES == (*presets.TABLES,)
+    assert (*presets.TABLES,) == FREE_TABLES
