@@ -120,8 +120,12 @@ class Session:
     # -- the next shot -------------------------------------------------------------------------
 
     def show_aim(self) -> None:
-        """Show the next shot rather than the last one, unless that is still running."""
-        if self.moving:
+        """Show the next shot rather than the last one, unless that still runs or was the very last.
+
+        A match that is over has no next shot: its result stays on show.
+        """
+        ended = self.contest is not None and self.contest.over and self.timeline.shown
+        if self.moving or ended:
             return
         self.timeline.shown = False
         self.timeline.live()
