@@ -397,7 +397,7 @@ class Session:
         wx, wy, wz = (w * ball.radius for w in state.spin)
         self.readout = hypot(*state.velocity), hypot(wx, wy, wz), abs(wz)
         log, timeline = self.world.log, self.timeline
-        rested = not self.moving and len(log) and log[-1].kind == "rest"
+        rested = not self.moving and len(log) and log[-1].kind in ("rest", "pocket", "off")
         now = log[-1].time if rested else self.world.time
         if timeline.at is not None:
             now = timeline.moment

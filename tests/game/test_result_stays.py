@@ -34,6 +34,8 @@ def test_enter_and_aiming_leave_the_result_of_a_match_that_is_over():
         assert session.shown_shot
         assert app.view.sight.mode == "after"
         assert not session.moving
+        app.session.notice = None
+        assert "no name: no statistics" in hint(session, app.view.sight.words)[0]
         press(app, "return")
         assert "rematch" in hint(session, app.view.sight.words)[0]
         assert prompts.button(session)[:2] == ("again", "key.f10")
