@@ -120,12 +120,8 @@ class Session:
     # -- the next shot -------------------------------------------------------------------------
 
     def show_aim(self) -> None:
-        """Show the next shot rather than the last one, unless that still runs or was the very last.
-
-        A match that is over has no next shot: its result stays on show.
-        """
-        ended = self.contest is not None and self.contest.over and self.timeline.shown
-        if self.moving or ended:
+        """Show the next shot rather than the last one, unless that still runs or ended a match."""
+        if self.moving or (self.shown_shot and self.contest is not None and self.contest.over):
             return
         self.timeline.shown = False
         self.timeline.live()

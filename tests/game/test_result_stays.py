@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from game.render.parts import lanes
 from game.session.action import Action
 from game.ui.panels import prompts
 from game.ui.panels.parts import hint
@@ -47,3 +48,18 @@ def test_after_a_match_it_is_still_taken_back_and_the_next_shot_is_shown():
     assert not app.session.contest.over
     press(app, "return")
     assert app.session.moving
+
+
+def test_the_clock_of_a_shot_does_not_pass_its_end(monkeypatch):
+    said = []
+    app = an_app(size=(1280, 720))
+    monkeypatch.setattr(lanes, "timeline", lambda *args: said.append(args) or args[1])
+    app.perform(Action("fire"))
+    run_to_rest(app)
+    app.session.readout_time += 8 / 60  # what is left of a frame at eight times the speed
+    app.view.expose()
+    app.redraw()
+    app.frame(0)
+    *_, length, label, _, now = said[-1]
+    assert now == length
+    assert label.count(f"{length:.2f}") == 2

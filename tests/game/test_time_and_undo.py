@@ -395,18 +395,3 @@ def test_a_stroke_that_cannot_be_read_is_not_played():
     perform(session, Action("play", "0 0 0 0 0"))
     assert not session.moving
     assert session.shots == 0
-
-
-def test_the_clock_of_a_shot_does_not_pass_its_end(monkeypatch):
-    said = []
-    app = an_app(size=(1280, 720))
-    monkeypatch.setattr(lanes, "timeline", lambda *args: said.append(args) or args[1])
-    app.perform(Action("fire"))
-    run_to_rest(app)
-    app.session.readout_time += 8 / 60  # what is left of a frame at eight times the speed
-    app.view.expose()
-    app.redraw()
-    app.frame(0)
-    *_, length, label, _, now = said[-1]
-    assert now == length
-    assert label.count(f"{length:.2f}") == 2
