@@ -144,6 +144,9 @@ def show_next(session: Session) -> None:
         session.contest.next_rack(session.world)
         session.put(session.world.layout())
         session.seat()
+    if session.contest is not None and session.contest.over:
+        session.refuse("over")
+        return
     session.show_aim()
     session.aim.leave()
     session.aim.finish()

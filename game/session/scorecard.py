@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from danggu.rules.match import Match
+from danggu.rules.state import BREAK
 from danggu.rules.verdict import Verdict
 
 
@@ -17,6 +18,9 @@ class Visit(NamedTuple):
     strokes  how many
     made     how many of those scored
     foul     did it end with one?
+    spared   how many of the strokes were not meant to score: push outs, safeties, breaks
+    won      did it win the rack or frame?
+    lost     did it lose it?
     """
 
     player: int
@@ -25,6 +29,9 @@ class Visit(NamedTuple):
     strokes: int
     made: int
     foul: bool
+    spared: int = 0
+    won: bool = False
+    lost: bool = False
 
 
 Card = tuple[Visit, ...]
@@ -43,14 +50,25 @@ def after(card: Card, before: Match, verdict: Verdict, rack: int) -> Card:
         own.strokes + 1,
         own.made + verdict.made,
         verdict.foul,
+        own.spared + (not verdict.made and _spares(before)),
+        verdict.won,
+        verdict.lost,
     )
     return (*card, now)
+
+
+def _spares(before: Match) -> bool:
+    """Was the stroke not meant to score: declared so, or the first one of a rack or frame?"""
+    state, call = before.state, before.call
+    opens = bool(state.left) and state == before.rules.start(len(before.players))
+    return call.safety or call.push or opens or state.phase == BREAK
 
 
 class Totals(NamedTuple):
     """What a player has done in a match.
 
     visits, strokes, made, fouls, points, best: the best is the high run or break
+    spared: strokes that were not meant to score
     """
 
     visits: int = 0
@@ -59,6 +77,7 @@ class Totals(NamedTuple):
     fouls: int = 0
     points: int = 0
     best: int = 0
+    spared: int = 0
 
     @property
     def average(self) -> float:
@@ -67,8 +86,9 @@ class Totals(NamedTuple):
 
     @property
     def share(self) -> float:
-        """The part of the strokes that scored."""
-        return self.made / self.strokes if self.strokes else 0.0
+        """The part that scored of the strokes meant to."""
+        meant = self.strokes - self.spared
+        return self.made / meant if meant else 0.0
 
 
 def totals(card: Card, player: int) -> Totals:
@@ -82,4 +102,5 @@ def totals(card: Card, player: int) -> Totals:
         sum(visit.foul for visit in own),
         sum(visit.points if counted else visit.made for visit in own),
         max((visit.points if counted else visit.made for visit in own), default=0),
+        sum(visit.spared for visit in own),
     )

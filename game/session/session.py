@@ -120,8 +120,8 @@ class Session:
     # -- the next shot -------------------------------------------------------------------------
 
     def show_aim(self) -> None:
-        """Show the next shot rather than the last one, unless that is still running."""
-        if self.moving:
+        """Show the next shot rather than the last one, unless that still runs or ended a match."""
+        if self.moving or (self.shown_shot and self.contest is not None and self.contest.over):
             return
         self.timeline.shown = False
         self.timeline.live()
@@ -393,7 +393,7 @@ class Session:
         wx, wy, wz = (w * ball.radius for w in state.spin)
         self.readout = hypot(*state.velocity), hypot(wx, wy, wz), abs(wz)
         log, timeline = self.world.log, self.timeline
-        rested = not self.moving and len(log) and log[-1].kind == "rest"
+        rested = not self.moving and len(log) and log[-1].kind in ("rest", "pocket", "off")
         now = log[-1].time if rested else self.world.time
         if timeline.at is not None:
             now = timeline.moment

@@ -38,7 +38,7 @@ class Figures(NamedTuple):
             self.matches + 1,
             self.won + won,
             self.visits + one.visits,
-            self.strokes + one.strokes,
+            self.strokes + one.strokes - one.spared,
             self.made + one.made,
             self.fouls + one.fouls,
             self.points + one.points,

@@ -147,6 +147,7 @@ WORDS = {
     "call.push": "Push out",
     "call.cue": "plays the {ball}",
     "down.title": "Balls down",
+    "hint.placed": "@[arrange] moves the ball · Enter shoots",
     "hint.hand": "Arrows or drag place it · Enter",
     "hint.rack": "Enter: next rack · @[retry] retry",
     "hint.call": "@[ball 1] ball · @[pocket 1] pocket · @[call safety] safety",
@@ -247,4 +248,7 @@ WORDS = {
     "warn.not_on": "Not on: {ball} is hit first",
     "warn.nothing": "No ball is hit",
     "warn.cue": "The cue ball goes down, {pocket}",
+    "sheet.rack.lost": "loses the rack",
+    "sheet.frame.lost": "loses the frame",
+    "sheet.break": "High break",
 }

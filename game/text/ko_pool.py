@@ -147,6 +147,7 @@ WORDS = {
     "call.push": "푸시아웃",
     "call.cue": "{ball} 치기",
     "down.title": "들어간 공",
+    "hint.placed": "@[arrange] 공 옮기기 · Enter 치기",
     "hint.hand": "화살표나 끌기로 놓기 · Enter",
     "hint.rack": "Enter 다음 랙 · @[retry] 다시",
     "hint.call": "@[ball 1] 공 · @[pocket 1] 포켓 · @[call safety] 세이프티",
@@ -247,4 +248,7 @@ WORDS = {
     "warn.not_on": "맞힐 공이 아님: {ball}부터 맞습니다",
     "warn.nothing": "아무 공도 맞지 않습니다",
     "warn.cue": "수구가 들어갑니다: {pocket}",
+    "sheet.rack.lost": "랙 패배",
+    "sheet.frame.lost": "프레임 패배",
+    "sheet.break": "최고 브레이크",
 }

@@ -56,7 +56,7 @@ def test_the_computer_shows_what_it_intends_and_plays_it(quick):
     until(app, lambda: not session.shown_shot)
     until(app, lambda: session.contest.share is not None and not session.contest.thinking)
     intended = list(session.aim.texts)
-    assert "expected" in score_plates._line(app.view.sight, session.contest, 1)[0]
+    assert "as intended" in score_plates._line(app.view.sight, session.contest, 1)[0]
     assert_same_as_anew(app)
     until(app, lambda: session.shots > shots)
     assert session.shooter == "yellow"

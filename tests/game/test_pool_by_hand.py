@@ -70,6 +70,19 @@ def test_a_question_is_not_answered_by_enter_or_the_button_before_a_row_is_chose
     assert session.contest.match.at == 0
 
 
+def test_escape_does_not_place_the_ball_in_hand_and_b_takes_it_again():
+    app = app_of("9-ball")
+    session = app.session
+    press(app, "escape")
+    assert session.arranging
+    assert session.page == "menu"
+    press(app, "escape", "return")
+    assert not session.arranging
+    assert "moves the ball" in hint(session, app.view.sight.words)[0]
+    press(app, "b")
+    assert session.arranging
+
+
 def test_a_question_is_answered_by_a_click():
     app = app_of("8-ball")
     press(app, "return")

@@ -15,6 +15,7 @@ from game.session.running_match import Contest
 from game.session.session import Session
 from game.settings.statistics import Figures
 from game.ui.names import player_name
+from game.ui.panels import rack_words
 from game.ui.sight import Sight
 
 from . import page_parts
@@ -105,19 +106,35 @@ def _visits(
 ) -> None:
     s, t, w, card = sight.layout.s, sight.type, sight.words, contest.card
     columns = [0, 60, 120, 300, 380, 460]
-    heads = ["#", w["sheet.rack"], w["sheet.player"], w["sheet.made"], w["sheet.points"], ""]
+    frames, scores = _frames(contest), contest.terms.discipline.points or rack_words.scores(contest)
+    rack = w["score.frame"] if frames else w["sheet.rack"]
+    points = w["sheet.points"] if scores else ""
+    heads = ["#", rack, w["sheet.player"], w["sheet.made"], points, ""]
     for x, head in zip(columns, heads, strict=True):
         t.draw(surface, head, (area.x + x * s, area.y + 14 * s), 12, theme.TEXT_SOFT)
     sums = [list(accumulate(v.points * (v.player == p) for v in card)) for p in (0, 1)]
     for place, visit in enumerate(card[top : top + _room(sight)]):
         base, number = area.y + (ROW * (place + 1) + 14) * s, top + place
         name = t.fitted(player_name(contest.terms, visit.player, w), SIZE, 170 * s)
-        counted = f"{visit.points} · {sums[visit.player][number]}"
+        counted = f"{visit.points} · {sums[visit.player][number]}" if scores else ""
         words = [str(number + 1), str(visit.rack), name, f"{visit.made}/{visit.strokes}", counted]
-        words.append(w["sheet.foul"] if visit.foul else "")
+        words.append(_end(visit, contest, w))
         for x, word in zip(columns, words, strict=True):
-            ink = theme.ERROR if x == columns[-1] else theme.TEXT
+            last = theme.GOOD if visit.won else theme.ERROR
+            ink = last if x == columns[-1] else theme.TEXT
             t.draw(surface, word, (area.x + x * s, base), SIZE, ink)
+
+
+def _frames(contest: Contest) -> bool:
+    return contest.match.rules.key == rack_words.FRAMES
+
+
+def _end(visit: scorecard.Visit, contest: Contest, w: dict[str, str]) -> str:
+    """What a visit ended with, if that is to be said: the rack or frame, or a foul."""
+    frame = "frame" if _frames(contest) else "rack"
+    if (visit.won or visit.lost) and not contest.terms.discipline.points:
+        return w[f"score.{frame}.won" if visit.won else f"sheet.{frame}.lost"]
+    return w["sheet.foul"] if visit.foul else ""
 
 
 def _players(
@@ -142,7 +159,8 @@ def _players(
             t.draw(surface, line, (x, below + ROW * place * s), SIZE, theme.TEXT)
     for place, line in enumerate(LINES):
         at = (area.x, area.y + (14 + ROW * (place + 1)) * s)
-        t.draw(surface, w[f"sheet.{line}"], at, SIZE, theme.TEXT_SOFT)
+        label = "break" if line == "best" and _frames(contest) else line
+        t.draw(surface, w[f"sheet.{label}"], at, SIZE, theme.TEXT_SOFT)
     seats = [seat.name for seat in contest.terms.seats if seat.name]
     if not any(career(name, contest.terms.game).matches for name in seats):
         return

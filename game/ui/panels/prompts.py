@@ -9,6 +9,7 @@ from __future__ import annotations
 from game.session.action import Action
 from game.session.running_match import Contest
 from game.session.session import Session
+from game.session.terms import HUMAN
 
 Button = tuple[str, str, Action | None]
 """Keys of the texts for the label and the key cap, and what a press means, None for nothing."""
@@ -101,12 +102,20 @@ def hint(session: Session) -> str | None:
     if session.moving:
         return "hint.rolling"
     if contest.match.finished:
-        return "hint.rack" if contest.between else "hint.over"
+        return "hint.rack" if contest.between else _over(contest)
     if contest.level is not None:
         return "hint.thinks"
     if session.shown_shot:
         return "hint.next"
+    if contest.in_hand and session.aim.complete and not contest.may_call:
+        return "hint.placed"
     return _calling(contest) or ("hint.match" if session.aim.complete else None)
+
+
+def _over(contest: Contest) -> str:
+    """The key of the hint after a match: figures are kept of people by their names alone."""
+    people = [seat for seat in contest.terms.seats if seat.level == HUMAN]
+    return "hint.over" if all(seat.name for seat in people) else "hint.over.nameless"
 
 
 def _calling(contest: Contest) -> str | None:

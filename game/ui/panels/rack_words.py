@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from danggu.rules.verdict import Verdict
+from game.session import scorecard
 from game.session.running_match import Contest
 from game.ui.names import player_name
 from game.ui.table.looks import ball_words
@@ -26,12 +27,12 @@ def points(contest: Contest, index: int) -> tuple[int, str, int | None]:
     if contest.terms.discipline.points:
         target = contest.match.players[index].target
         return sheet.score, str(target), target
-    if _scores(contest):
+    if scores(contest):
         return sheet.score, f"({race.won[index]})", None
     return race.won[index], str(race.to), race.to if race.to > 1 else None
 
 
-def _scores(contest: Contest) -> bool:
+def scores(contest: Contest) -> bool:
     """Do points count within a rack?"""
     key = contest.match.rules.key
     return key == FRAMES or key.endswith("pyramid")
@@ -56,12 +57,13 @@ def line(contest: Contest, index: int, w: dict[str, str]) -> list[str] | None:
         found.append(w[f"score.{group}" if group else "score.open.table"])
     if match.state.warned and match.state.warned[index]:
         return [*found, w["score.warned"]]
-    if match.at == index and match.run and _scores(contest):
+    if match.at == index and match.run and scores(contest):
         found.append(w["score.break"].format(n=match.run))
     elif sheet.best:
         found.append(w["score.best.break"].format(n=sheet.best))
-    if sheet.strokes:
-        found.append(w["score.pots"].format(n=round(100 * sheet.made / sheet.strokes)))
+    own = scorecard.totals(contest.card, index)
+    if own.strokes > own.spared:
+        found.append(w["score.pots"].format(n=round(100 * own.share)))
     if sheet.fouls:
         found.append(w["score.fouls"].format(n=sheet.fouls))
     return found

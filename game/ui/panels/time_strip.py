@@ -48,8 +48,8 @@ def draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rec
         found = seen.story if seen else NO_STORY
         label = w["preview"].format(time=number(found.duration, 1)) if seen else ""
         return lanes.timeline(*args, _lanes(sight, found), found.duration, label, _buttons(sight))
-    found, now = session.forecast, session.readout_time
-    length = _length(sight)
+    found, length = session.forecast, _length(sight)
+    now = min(session.readout_time, length)  # the last frame ends after the last event
     label = w["time"].format(now=number(now), all=number(length))
     return lanes.timeline(*args, _lanes(sight, found), length, label, _buttons(sight), now)
 

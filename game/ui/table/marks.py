@@ -19,6 +19,7 @@ from game.render.theme import ACCENT, LILAC, WHITE, BallLook
 from game.session.session import Session
 
 from . import furniture, preview_lines
+from .racked import racked
 from .trail import drawn_until
 
 TAG = 16
@@ -167,7 +168,7 @@ def _traces(
     log, s = session.world.log, layout.s
     now = drawn_until(session)
     rects: Rects = []
-    lettered = any(look.dashes for look in looks)
+    lettered, heap = any(look.dashes for look in looks), racked(session)
     for name in session.traced:
         look = looks[preview_lines.index(session, name)]
         points = path(log, name, session.began, now)
@@ -175,8 +176,9 @@ def _traces(
         if shown:
             rects.append(lines.trace(surface, shown, look.ui, s, dashes=look.dashes))
             radius = session.world.ball(name).radius * layout.scale
-            rects.append(lines.ring(surface, shown[0], radius, look.ui, 1.3 * s, 0.8))
-            if lettered and look.letter:
+            if name not in heap:
+                rects.append(lines.ring(surface, shown[0], radius, look.ui, 1.3 * s, 0.8))
+            if lettered and look.letter and name not in heap:
                 at = shown[0][0] - TAG * s, shown[0][1] - TAG * s
                 rects.append(cards.tag(surface, at, _type(s), look.ui, look.letter))
         if session.timeline.at is not None:
@@ -194,7 +196,7 @@ def _hits(
     surface: pygame.Surface, layout: Layout, session: Session, looks: Sequence[BallLook], now: float
 ) -> Rects:
     walls = {wall.name: wall for wall in session.world.walls}
-    s, rects, traced = layout.s, [], session.traced
+    s, rects, traced, heap = layout.s, [], session.traced, racked(session)
     for event in session.timeline.events:
         if event.time > now:
             break
@@ -207,6 +209,6 @@ def _hits(
             radius = session.world.ball(event.balls[0]).radius * layout.scale
             aside = (out.real, -out.imag)
             rects.append(lines.bounce(surface, centre, aside, radius, look.ui, s, 0.9))
-        elif event.kind == "ball":
+        elif event.kind == "ball" and not heap.issuperset(event.balls):
             rects.append(lines.collision(surface, layout.to_screen(*event.point), s))
     return rects

@@ -59,7 +59,8 @@ def _in_hand(spot: Place, sight: Sight) -> Action | None:
 def key(event: pygame.event.Event, session: Session) -> Action | None:
     """What a key means while balls are placed; None for one that means what it always does."""
     mod = getattr(event, "mod", 0)
-    if event.key in DONE:
+    in_hand = session.contest is not None and not session.contest.match.finished
+    if event.key in DONE and not (in_hand and event.key == pygame.K_ESCAPE):
         return Action("arrange")
     if event.key == pygame.K_TAB:
         names = [ball.name for ball in session.world.balls]

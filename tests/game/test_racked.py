@@ -1,0 +1,47 @@
+"""After a break no marks lie where the rack was: they would hide the balls that are there now."""
+
+import pytest
+
+from game.render.table import lines
+from game.session.action import Action
+from game.ui.table.racked import racked
+from tests.support.players import an_app, press, run_to_rest
+
+
+def rings_and_dots(monkeypatch, app):
+    """How many start marks and dots of hits the picture of the last shot has."""
+    drawn = {"ring": 0, "collision": 0}
+
+    def counting(name):
+        own = getattr(lines, name)
+
+        def draw(*args, **more):
+            drawn[name] += 1
+            return own(*args, **more)
+
+        return draw
+
+    for name in drawn:
+        monkeypatch.setattr(lines, name, counting(name))
+    app.view.expose()
+    app.redraw()
+    app.frame(0)
+    return drawn
+
+
+@pytest.mark.parametrize(("game", "count"), [("9-ball", 9), ("8-ball", 15)])
+def test_after_a_break_only_the_cue_ball_has_a_start_mark(monkeypatch, game, count):
+    app = an_app(size=(1280, 720), game=game, table="pool-9")
+    press(app, "return")
+    app.perform(Action("play", "8 0 0 0 0"))
+    run_to_rest(app)
+    assert len(racked(app.session)) == count
+    assert rings_and_dots(monkeypatch, app)["ring"] <= 1
+
+
+def test_balls_of_carom_keep_their_start_marks(monkeypatch):
+    app = an_app(size=(1280, 720))
+    press(app, "return")
+    run_to_rest(app)
+    assert not racked(app.session)
+    assert rings_and_dots(monkeypatch, app)["ring"] >= 1

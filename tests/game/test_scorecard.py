@@ -1,0 +1,61 @@
+"""The sheet of a match: what counts as a try, and who won the rack."""
+
+import pytest
+
+from danggu.rules.state import Call
+from danggu.rules.verdict import Verdict
+from game.input.captions import words
+from game.session import scorecard
+from game.ui.pages import score_page
+from game.ui.panels import rack_words
+from tests.support.racked_games import leave, playing
+
+MISSED, POTTED = Verdict("missed"), Verdict("potted", made=True, passes=False)
+
+
+def match_of(game):
+    """A match in the middle of a rack."""
+    session = playing(game)
+    leave(session, cue=(-0.5, 0.0), b1=(0.5, 0.0), b9=(0.3, 0.3), red1=(0.5, 0.0))
+    return session.contest.match
+
+
+@pytest.mark.parametrize("game", ["9-ball", "8-ball", "snooker", "14.1"])
+def test_a_dry_break_is_no_missed_pot(game):
+    match = playing(game).contest.match
+    card = scorecard.after((), match, MISSED, 1)
+    assert scorecard.totals(card, 0).spared == 1
+    assert scorecard.totals(scorecard.after((), match, POTTED, 1), 0).share == 1.0
+
+
+@pytest.mark.parametrize("call", [Call(safety=True), Call(push=True)])
+def test_push_outs_and_safeties_are_no_missed_pots(call):
+    from dataclasses import replace
+
+    match = match_of("9-ball")
+    card = scorecard.after((), match, POTTED, 1)
+    card = scorecard.after(card, replace(match, visit=1, call=call), MISSED, 1)
+    assert scorecard.totals(card, 0).share == 1.0
+    card = scorecard.after(card, replace(match, visit=2), MISSED, 1)
+    assert scorecard.totals(card, 0).share == 0.5
+
+
+def test_the_plate_says_the_same_share():
+    session = playing("9-ball")
+    contest = session.contest
+    contest.card = scorecard.after((), contest.match, MISSED, 1)
+    assert not any("pots" in part for part in rack_words.line(contest, 0, words("en")))
+    contest.card = scorecard.after(contest.card, match_of("9-ball"), POTTED, 1)
+    assert "pots 100 %" in rack_words.line(contest, 0, words("en"))
+
+
+@pytest.mark.parametrize(("game", "won", "lost"), [
+    ("9-ball", "wins the rack", "loses the rack"), ("snooker", "wins the frame", "loses the frame"),
+])  # fmt: skip
+def test_the_sheet_says_who_won_the_rack(game, won, lost):
+    contest = playing(game).contest
+    match = match_of(game)
+    for verdict, said in ((Verdict("rack_won", made=True, won=True), won),
+                          (Verdict("rack_lost", foul=True, lost=True), lost)):  # fmt: skip
+        visit = scorecard.after((), match, verdict, 1)[-1]
+        assert score_page._end(visit, contest, words("en")) == said
