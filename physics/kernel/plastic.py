@@ -10,6 +10,8 @@ from .motion import length
 from .subset import complex, kernel
 
 SQUEEZED = 1000  # for the count of hits in one instant: it goes along the walls that hold it
+CREEP = 1e-7  # m/s: what is wedged and slower stops, or hops would keep it going
+LEAST = 1e-300  # of a push
 SWEEPS = 100  # through all contacts: what still closes then meets again at once, and stops
 ROUNDING = 1e-12  # of the energy, and of a speed
 
@@ -28,7 +30,8 @@ def energy(members, balls, ties):
 
 @kernel
 def loan(chosen, balls, ties):
-    """The most that hops may add, J: a row that hops has every ball as fast as all before it."""
+    """The most that hops may add, J: a row that hops has every ball as fast as all before it, and
+    what closes pushes the others."""
     lent = 0.0
     for k in range(chosen):
         tie = ties.contacts[ties.chosen[k]]
@@ -36,7 +39,7 @@ def loan(chosen, balls, ties):
         if tie.target > abs(closing):
             spare = tie.target * tie.target - closing * closing
             lent += max(balls[tie.first].mass, balls[other(tie)].mass) * spare
-    return chosen * lent
+    return 2.0 * chosen * lent
 
 
 @kernel
@@ -61,9 +64,14 @@ def wedge(members, contacts, least, balls, ties):
     elif not part(contacts, least, balls, ties) or not lossy(members, had, balls, ties):
         turn_to_rolling(members, balls, ties)
         give_way(contacts, balls, ties)
+    if pace(members, balls, ties) < CREEP:
+        stop(members, balls, ties)
     for m in range(members):
         ball = balls[ties.member[m]]
         ball.roll, ball.trapped = ball.velocity, SQUEEZED
+    for c in range(contacts):  # all are events, as the cloth has pushed too
+        tie = ties.contacts[c]
+        tie.total = max(tie.total, LEAST)
 
 
 @kernel
@@ -73,6 +81,15 @@ def lossy(members, had, balls, ties):
         ball = balls[ties.member[m]]
         ball.roll = ball.velocity
     return energy(members, balls, ties) <= (1.0 + ROUNDING) * had
+
+
+@kernel
+def pace(members, balls, ties):
+    """The speed of the fastest."""
+    fastest = 0.0
+    for m in range(members):
+        fastest = max(fastest, length(balls[ties.member[m]].velocity))
+    return fastest
 
 
 @kernel

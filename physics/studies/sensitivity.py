@@ -315,7 +315,7 @@ class Replay:
                 ties.chosen[chosen] = c
                 chosen += 1
         rules = self.scene.ball_rule, self.scene.rules, self.scene.cushion_rule
-        lasting.press_apart(chosen, balls, ties, *rules)
+        self.kernel.apart.press_apart(chosen, balls, ties, *rules)
 
     def _count_hops(self, ball: Any, kind: int, lasting: bool) -> None:
         """As the kernel does: contacts that have lasted for long hop higher."""
