@@ -69,7 +69,7 @@ def test_a_bad_entry_says_wrong_input_and_moves_nothing_until_the_next_good_shot
     assert said.startswith("wrong input · V: ")
     press(app, "left")
     write(app, "2")
-    assert hint(app.session, words("en"))[0].startswith("wrong input")
+    assert hint(app.session, words("en"))[0] == "Corrected · press Enter again"
     press(app, *["return"] * 6)
     assert app.session.shots == 1
     assert not hint(app.session, words("en"))[1]

@@ -156,7 +156,7 @@ def test_a_handicap_reached_wins_and_the_window_says_so():
     assert told(app) == ("+1", "Ann wins", "1 inning · avg 1.00 · Both reds, 2 cushions")
     assert score_plates._line(app.view.sight, app.session.contest, 0)[0] == "wins after 1 inning"
     press(app, "ctrl+return")
-    assert hint(app.session, words("en")) == ("the match is over · F10 new game", True)
+    assert hint(app.session, words("en")) == ("the match is over · F10 rematch", True)
     click(app, app.view.sight.layout.shoot.center)
     assert app.session.page == "menu"
 

@@ -63,8 +63,8 @@ def test_keys_of_the_tip_point_begin_in_the_middle_where_spins_are_missing(app, 
 def test_the_power_bar_shows_the_speed_while_other_boxes_are_empty(app):
     empty = aim_panel.power_key(app.view.sight)
     write(app, "4.5")
-    assert empty is None
-    assert aim_panel.power_key(app.view.sight) == 4.5
+    assert empty == (None, 8.0)
+    assert aim_panel.power_key(app.view.sight) == (4.5, 8.0)
 
 
 def test_the_tip_point_is_known_while_the_angle_is_missing(app):
