@@ -5,7 +5,11 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 import numpy as np
-from pettingzoo import AECEnv
+
+from .kept import kept
+
+with kept("SDL_AUDIODRIVER", "PYGAME_HIDE_SUPPORT_PROMPT"):  # it takes the sound from all of SDL
+    from pettingzoo import AECEnv
 
 from .match_hall import RACKS, MatchHall, worth
 from .setup import Setup

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 gymnasium = pytest.importorskip("gymnasium", reason="needs the extra `rl`")
-pytest.importorskip("pettingzoo", reason="needs the extra `rl`")
+pytest.importorskip("danggu.envs.versus", reason="needs the extra `rl`")
 
 from gymnasium.utils.env_checker import check_env  # noqa: E402
 from gymnasium.vector import AutoresetMode  # noqa: E402
@@ -375,3 +375,12 @@ def test_the_example_of_a_program_that_learns_does():
     learning = runpy.run_path(str(Path(__file__).parents[2] / "docs" / "learning.py"))
     shares = [*learning["learned"](150, tables=512)]
     assert np.mean(shares[-30:]) > 1.2 * np.mean(shares[:30])
+
+
+def test_a_match_of_two_leaves_the_sound_of_the_process_alone():
+    code = (
+        "import os; os.environ['SDL_AUDIODRIVER'] = 'dummy'; import danggu.envs.versus;"
+        "print(os.environ['SDL_AUDIODRIVER'])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split()[-1] == "dummy"

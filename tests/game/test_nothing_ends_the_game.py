@@ -61,11 +61,11 @@ def test_a_stopped_rack_can_be_undone_after_placing():
     "scheme",
     [pytest.param(s, marks=[pytest.mark.stress] * (s == "rk4-located")) for s in SCHEMES],
 )
-def test_sixty_stops_retries_and_undos_of_a_rack_give_back_the_digits(scheme):
+def test_twenty_stops_retries_and_undos_of_a_rack_give_back_the_digits(scheme):
     with engines(scheme):
         session = Session(scene_world("rack15"), table="rack15")
         do(session, ("engine", "thesis"), "stop")
-        for k in range(60):
+        for k in range(0, 60, 3):
             before = session.world.layout()
             do(session, ("set", f"speed {6 + 0.05 * k} angle {-3 + 0.1 * k}"), "shoot")
             session.advance(TICKS // 8 + 97 * k)

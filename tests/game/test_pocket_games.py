@@ -30,9 +30,9 @@ def test_every_game_of_the_rules_has_a_table():
 
 
 @pytest.mark.parametrize("game", [name for name in terms.GAMES if name != "free"])
-def test_a_game_goes_on_for_thirty_strokes_and_the_table_holds_the_balls_it_counts(game):
+def test_a_game_goes_on_for_ten_strokes_and_the_table_holds_the_balls_it_counts(game):
     session = playing(game)
-    for _ in played(session, 1, 30 if game in RACKED else 4):
+    for _ in played(session, 1, 10 if game in RACKED else 4):
         match = session.contest.match
         if match.state.left and not match.finished:
             there = {ball.name for ball in session.world.balls if not ball.gone}
@@ -51,7 +51,7 @@ def test_a_whole_game_comes_to_its_end(game):
 @pytest.mark.parametrize("game", RACKED)
 def test_undo_and_redo_go_through_strokes_with_balls_down_to_the_digit(game):
     session = playing(game)
-    list(played(session, 4, 12))
+    list(played(session, 4, 6))
     end, standing = session.world.layout(), session.contest.match
     count = 0
     while session.history.past:
@@ -222,7 +222,7 @@ def test_every_reason_and_every_option_of_the_rules_has_its_words(language):
 
 @pytest.mark.parametrize("game", ["8-ball", "9-ball", "10-ball", "14.1", "snooker"])
 def test_what_really_happens_has_words(game):
-    for said in played(playing(game), 9, 15):
+    for said in played(playing(game), 9, 8):
         kind, _, key = said.rpartition(" ")
         name = f"{'option' if kind else 'reason'}.{key}"
         assert all(name in words for words in LANGUAGES.values()), said

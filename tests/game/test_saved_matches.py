@@ -21,7 +21,7 @@ def text_of(session):
 @pytest.mark.parametrize("game", GAMES)
 def test_a_resumed_match_stands_as_it_was_and_goes_on_as_the_other_one_does(game):
     session = playing(game, seed=3)
-    list(played(session, 5, 12 if session.contest.terms.discipline.position == "" else 3))
+    list(played(session, 5, 6 if session.contest.terms.discipline.position == "" else 3))
     other = Session(presets.table_world("medium"))
     perform(other, Action("resume", text_of(session)))
     assert other.world.layout() == session.world.layout()

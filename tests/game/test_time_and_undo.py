@@ -351,8 +351,8 @@ def play_anything(seed, count, every):
 
 
 @pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.stress)])
-def test_five_thousand_random_events_neither_crash_the_game_nor_spoil_the_picture(seed):
-    play_anything(seed, 5_000, 50)
+def test_random_events_neither_crash_the_game_nor_spoil_the_picture(seed):
+    play_anything(seed, 2_000 if seed == 1 else 5_000, 50)
 
 
 @pytest.mark.stress
