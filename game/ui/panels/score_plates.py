@@ -142,7 +142,7 @@ def counted(verdict: Verdict) -> tuple[str, Colour]:
         counts = verdict.points or verdict.reason in COUNTED
         return number(verdict.points, 0) if counts else "F", ERROR
     if verdict.made:
-        return f"+{verdict.points}" if verdict.points else "✓", GOOD
+        return f"+{verdict.points}" if verdict.points else "○", GOOD
     return "0", TEXT
 
 
