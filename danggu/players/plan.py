@@ -8,11 +8,8 @@ from random import Random
 from time import perf_counter
 from typing import Protocol
 
-from danggu.rules.match import Match
 from danggu.rules.state import NO_CALL, Call
-from physics import Shot, World
-
-from .levels import Level
+from physics import Shot
 
 Point = tuple[float, float]
 
@@ -56,9 +53,3 @@ class Mind(Protocol):
     def played(self, rng: Random) -> Plan:
         """The plan with the level's error in its stroke, drawn from `rng`."""
         ...
-
-
-Maker = Callable[[World, Match, Level, int, int], Mind]
-"""Makes a mind of the table as it lies, the match, a level, a seed and the aims it may try."""
-Answers = Callable[[World, Match, Level, int], str]
-"""Answers `match.asked` with the key of one of its options."""

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from math import dist
 
+from danggu.rules import GAMES, RACKS
 from danggu.rules.match import Match
 from danggu.rules.nine_ball import NineBall
 from danggu.rules.pocketed import CUE
@@ -22,11 +23,7 @@ from physics import Ball, Placed, World
 
 from .hand import GAP, Point, hindrance, usual
 
-RACKS = {
-    "eight_ball": "8-ball", "nine_ball": "9-ball", "ten_ball": "10-ball", "straight_pool": "14.1",
-    "snooker": "snooker", "free_pyramid": "pyramid", "dynamic_pyramid": "pyramid",
-    "combined_pyramid": "pyramid",
-}  # fmt: skip
+KINDS = {GAMES[game]().key: kind for game, kind in RACKS.items()}
 """How a game is racked, by the key of its rules: what `Table.rack` takes."""
 LOOSE = 5e-5  # m: how far balls of a rack lie off their places; no rack is perfect
 IN_A_POCKET = -2.0  # m: the height of a ball that is down
@@ -64,7 +61,7 @@ def settled(world: World, match: Match, spot: Sequence[str], count: int, seed: i
     spot: the balls that are spotted, in their order.
     count: how many are racked, 0 for none.
     """
-    if match.rules.key not in RACKS:
+    if match.rules.key not in KINDS:
         return match
     left = {*match.state.left}
     if count:
@@ -142,7 +139,7 @@ def _on_line(world: World, name: str, start: Point, end: Point) -> None:
 def rack(world: World, match: Match, seed: int) -> list[tuple[str, Point]]:
     """Names and places of the balls of a full rack, the apex first, m."""
     table = world.table
-    balls = table.rack(RACKS[match.rules.key], disorder=LOOSE, seed=seed)
+    balls = table.rack(KINDS[match.rules.key], disorder=LOOSE, seed=seed)
     places = [(ball.name, ball.position) for ball in balls]
     if isinstance(match.rules, NineBall) and match.rules.on_foot_spot == "9":
         x = table.spots["foot"][0] - dict(places)["9"][0]

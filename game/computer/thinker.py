@@ -12,7 +12,8 @@ from random import Random
 from time import perf_counter
 
 from danggu.players import lagger
-from danggu.players.minds import answer, mind
+from danggu.players.answers import answer
+from danggu.players.minds import mind
 from danggu.players.plan import Mind, Plan
 from danggu.rules.match import Match
 from game.aim.entry import BOXES, plain
@@ -192,7 +193,7 @@ class Thinker:
         if session.tick - self._since < LOOK and not self._hurried:
             return None
         self._hurried = False
-        return Action("answer", answer(session.world, contest.match, contest.level, self.seed))
+        return Action("answer", answer(session.world, contest.match, contest.level))
 
     def _lag(self) -> Action | None:
         """Play for the first stroke, once the table has been seen."""

@@ -6,9 +6,10 @@ from dataclasses import dataclass, field
 from math import dist
 from random import Random
 
+from danggu.players.answers import answer
 from danggu.players.hand import GAP, hindrance, usual
 from danggu.players.levels import Level
-from danggu.players.minds import answer, mind
+from danggu.players.minds import mind
 from danggu.players.plan import Mind, Plan
 from danggu.rules import GAMES, RACKS
 from danggu.rules.match import Match, Player
@@ -70,7 +71,7 @@ def frame(
         number = len(played.strokes) + 1000 * seed
         level = levels[match.at]
         if match.asked is not None:
-            key = answer(world, match, level, number)
+            key = answer(world, match, level)
             played.answers.append(key)
             option, match = match.asked.option(key), match.answered(key)
             world = before if option.restore else world
