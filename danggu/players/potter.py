@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterable
 from random import Random
 from time import perf_counter
-from typing import NamedTuple
 
 from danggu.rules.match import Match
 from danggu.rules.state import BREAK, SECOND
@@ -35,18 +34,6 @@ SOFT = 1.2  # m/s: of the stroke that it has before it thinks
 Work = Generator[None, None, None]
 
 
-class Meaning(NamedTuple):
-    """What a stroke is meant to do.
-
-    what: "break", "pot", "push" (out) or "safety".
-    ball, pocket: names, or "" where they do not matter.
-    """
-
-    what: str
-    ball: str = ""
-    pocket: str = ""
-
-
 class Potter:
     """Thinks about the coming stroke as `plan.Mind` says; the outcome depends on no budget.
 
@@ -73,16 +60,6 @@ class Potter:
     def tried(self) -> int:
         """Strokes tried up to now."""
         return self._trials.tried
-
-    @property
-    def meaning(self) -> Meaning:
-        """What the plan is meant to do, for the picture."""
-        one = self.chosen
-        if self.match.state.phase == BREAK and not one.way:
-            return Meaning("break")
-        if one.way is not None:
-            return Meaning("pot", one.way.ball, one.way.opening.hole.name)
-        return Meaning("push" if one.call.push else "pot" if one.pots else "safety")
 
     @property
     def plan(self) -> Plan:

@@ -39,7 +39,6 @@ DRAWN = {
     "kitchen": lambda s: hand.region(s, LAYOUT, POOL, "kitchen"),
     "bed": lambda s: hand.region(s, LAYOUT, POOL, WHOLE),
     "held": lambda s: hand.held(s, (300.3, 200.8), 9.6, 1.0),
-    "forbidden": lambda s: hand.forbidden(s, (300.3, 200.8), 9.6, 1.0),
     "tags": lambda s: pygame.Rect.unionall(*(r := tags.draw(s, LAYOUT, TYPE, BALLS))[:1], r[1:]),
 }
 
