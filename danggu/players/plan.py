@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from random import Random
 from time import perf_counter
@@ -12,6 +12,8 @@ from danggu.rules.state import NO_CALL, Call
 from physics import Shot
 
 Point = tuple[float, float]
+Work = Generator[None, None, None]
+"""A search that stops after each simulation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,3 +55,19 @@ class Mind(Protocol):
     def played(self, rng: Random) -> Plan:
         """The plan with the level's error in its stroke, drawn from `rng`."""
         ...
+
+
+class Searching:
+    """What minds share: a search that is worked on a little at a time."""
+
+    done = False
+    _work: Work
+
+    def think(self, budget: float, clock: Callable[[], float] = perf_counter) -> bool:
+        """Work for `budget` s, and one simulation at least; whether there is nothing left to do."""
+        end = clock() + budget
+        while not self.done:
+            self.done = next(self._work, True) is True
+            if clock() >= end:
+                break
+        return self.done
