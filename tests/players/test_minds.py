@@ -9,23 +9,13 @@ from danggu.players.hand import hindrance, usual
 from danggu.players.levels import EXPERT, PERFECT
 from danggu.players.minds import mind
 from danggu.players.potter import Potter
-from danggu.rules import GAMES, RACKS
-from danggu.rules.match import Match, Player
+from danggu.rules import RACKS
+from danggu.rules.match import Match
 from danggu.rules.state import ANYWHERE, KITCHEN, Option, Question
 from danggu.rules.verdict import Verdict
-from physics import Ball, World, simulate, tables
+from physics import simulate
 
-TABLES = {"snooker": tables.SNOOKER_12FT, "pyramid": tables.PYRAMID_12FT}
-
-
-def racked(game: str) -> tuple[World, Match]:
-    table = TABLES.get(RACKS[game], tables.pool(9))
-    world, match = table.world(), Match.of(GAMES[game](), Player("a"), Player("b"))
-    world.add(Ball("cue", (0.0, 0.0)))
-    for ball in table.rack(RACKS[game], disorder=5e-5, seed=1):
-        world.add(ball)
-    world.ball("cue").position = usual(world, "cue", match.state.region)
-    return world, match
+from .frames import racked
 
 
 @pytest.mark.parametrize("game", RACKS)
