@@ -6,7 +6,7 @@ balls are on the table: what lies there beside them is taken off, what is missin
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from math import dist
 
@@ -114,11 +114,10 @@ def _spot_colours(world: World, names: Sequence[str]) -> None:
             _on_line(world, name, spots[name], (half, spots[name][1]))
 
 
-def _occupied(world: World, at: Point, but: Iterable[str] = ()) -> bool:
+def _occupied(world: World, at: Point) -> bool:
     """Whether a ball laid there would overlap another one."""
     near = 2 * world.table.radius
-    there = (ball for ball in world.balls if not ball.gone and ball.name not in but)
-    return any(dist(ball.position, at) < near for ball in there)
+    return any(dist(ball.position, at) < near for ball in world.balls if not ball.gone)
 
 
 def _on_line(world: World, name: str, start: Point, end: Point) -> None:
