@@ -12,16 +12,19 @@ from physics import Ball, World, commandline, ranges, scenes, store, tables
 
 from .players.levels import LEVELS
 from .players.positions import SAGU, THREE_CUSHION, opening
-from .rules import GAMES
+from .rules import GAMES, RACKS
+from .rules.free import FREE
 
 if TYPE_CHECKING:
     from .scores import Scores
 
 NUMBERS = tuple(ranges.MEANING)  # of a shot
 COPIES = 100  # of each shot, with the errors of a level
-CAROM = {"four-ball": SAGU} | dict.fromkeys(
-    ("three-cushion", "one-cushion", "straight-rail"), THREE_CUSHION
-)
+CAROM = {
+    game: SAGU if game == "four-ball" else THREE_CUSHION
+    for game in GAMES
+    if game not in RACKS and game != FREE
+}
 """The games whose opening position is known here, and which one it is."""
 
 

@@ -61,11 +61,10 @@ def scores(
 def _judged(world: World, ball: str, table: Any, rules: Rules, how: dict[str, Any]) -> Any:
     """(shots, 3): points, made and foul of each."""
     outcomes, turn = simulate_many(world, ball, table, contacts=KEPT, **how), Turn(cue=ball)
-    worth = np.empty((len(table), 3))
-    for k in range(len(table)):
-        log = outcomes.log(k)
-        if outcomes.dropped[k]:
-            log = simulate_many(world, ball, table[k : k + 1], contacts=ALL).log(0)
+    found = rules.verdicts(outcomes, turn)
+    worth = np.column_stack([found.points, found.made, found.foul]).astype(float)
+    for k in np.flatnonzero(~found.certain):
+        log = simulate_many(world, ball, table[k : k + 1], contacts=ALL).log(0)
         verdict = rules.verdict(log, turn)
         worth[k] = verdict.points, verdict.made, verdict.foul
     return worth

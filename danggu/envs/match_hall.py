@@ -15,7 +15,7 @@ from .hall import Hall
 from .setup import Setup
 from .sitting import Sitting
 
-RACKS = ("eight_ball", "nine_ball", "ten_ball")  # games whose only point is the rack
+RACK_GAMES = ("eight_ball", "nine_ball", "ten_ball")  # games whose only point is the rack
 BALL, MORE = 4, 2  # numbers that are observed of each ball of a game with pockets, and besides
 
 
@@ -93,6 +93,6 @@ class MatchHall(Hall):
 def worth(key: str, verdict: Verdict) -> float:
     """What a verdict brings the shooter: points or, where the rack is the only one, 1 for winning
     it and -1 for losing it."""
-    if key in RACKS:
+    if key in RACK_GAMES:
         return float(verdict.won) - float(verdict.lost)
     return float(verdict.points)

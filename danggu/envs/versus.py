@@ -11,7 +11,7 @@ from .kept import kept
 with kept("SDL_AUDIODRIVER", "PYGAME_HIDE_SUPPORT_PROMPT"):  # it takes the sound from all of SDL
     from pettingzoo import AECEnv
 
-from .match_hall import RACKS, MatchHall, worth
+from .match_hall import RACK_GAMES, MatchHall, worth
 from .setup import Setup
 from .single import ONE, action_space, key_of, observation_space
 
@@ -93,7 +93,7 @@ class VersusEnv(AECEnv):  # type: ignore[misc]
         """Points of the player who struck and of the other; a rack won is lost by the other."""
         verdict, key = self.hall.sittings[0].verdict, self.hall.rules.key
         own = worth(key, verdict)
-        other = -own if key in RACKS else float(verdict.gift)
+        other = -own if key in RACK_GAMES else float(verdict.gift)
         self.rewards = {one: own if one == agent else other for one in PLAYERS}
 
     def _turn(self, reason: str) -> None:

@@ -10,7 +10,7 @@ from .levels import Level
 from .worth import Worth
 
 
-def chosen(world: World, match: Match, level: Level, seed: int = 0) -> str:
+def answer(world: World, match: Match, level: Level) -> str:
     """The key of the best option for the player who is asked, balls lying as in `world`, of those
     that are as good the first; ValueError if there is no question."""
     if match.asked is None:

@@ -9,6 +9,7 @@ from danggu.rules.snooker import COLOUR
 from danggu.rules.state import BREAK, Call
 
 CALLED = ("eight_ball", "ten_ball", "straight_pool")
+"""Games in which ball and pocket are called, or a safety."""
 FREE_PYRAMID = "free_pyramid"
 
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from dataclasses import dataclass, field
 from random import Random
-from time import perf_counter
 
 from danggu.rules.match import Match
 from danggu.rules.verdict import NO_BALL, Verdict
@@ -13,7 +12,7 @@ from physics import Shot, World, simulate
 
 from .candidates import CUSHIONS, DIRECT, aims
 from .levels import Attempt, Level
-from .plan import Plan
+from .plan import Plan, Searching, Work
 
 EFFORT = 4000  # aims tried at most before it plays the best it has
 ENOUGH = 60  # scoring aims after which it stops looking and starts comparing
@@ -22,8 +21,6 @@ ROUNDS = ((4, 24), (8, 10), (16, 5), (40, 1))
 FRESH = 60  # new copies of the chosen aim: its share without the luck of having been chosen
 # A comparison needs some error, or all that score are equal: degrees, share of speed, mm.
 LEAST = Level("least", 0.02, 0.005, 0.2)
-
-Work = Generator[None, None, None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +90,7 @@ def value(verdict: Verdict) -> int:
     return max(verdict.points, 1) if verdict.made else verdict.points
 
 
-class Opponent:
+class Opponent(Searching):
     """Thinks about the coming stroke of `match`, with the balls as they lie in `world`.
 
     Call `think(budget)` between frames until it returns True, or stop at any time; `intent` is
@@ -106,7 +103,6 @@ class Opponent:
     ) -> None:
         self.level = level
         self.tried = 0
-        self.done = False
         self._world = world.copy()
         self._turn, self._rules = match.turn, match.rules
         self._rng = Random(seed)
@@ -131,15 +127,6 @@ class Opponent:
     def share(self) -> float | None:
         """The part of its strokes like this one that would score; None while unknown."""
         return self.intent.share if self.intent.copies else None
-
-    def think(self, budget: float, clock: Callable[[], float] = perf_counter) -> bool:
-        """Work for `budget` s, and one simulation at least; whether there is nothing left to do."""
-        end = clock() + budget
-        while not self.done:
-            self.done = next(self._work, True) is True
-            if clock() >= end:
-                break
-        return self.done
 
     def execute(self, rng: Random) -> Shot:
         """The intended stroke with the level's error drawn from `rng`."""

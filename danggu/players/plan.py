@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from random import Random
 from time import perf_counter
 from typing import Protocol
 
-from danggu.rules.match import Match
 from danggu.rules.state import NO_CALL, Call
-from physics import Shot, World
-
-from .levels import Level
+from physics import Shot
 
 Point = tuple[float, float]
+Work = Generator[None, None, None]
+"""A search that stops after each simulation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +57,17 @@ class Mind(Protocol):
         ...
 
 
-Maker = Callable[[World, Match, Level, int, int], Mind]
-"""Makes a mind of the table as it lies, the match, a level, a seed and the aims it may try."""
-Answers = Callable[[World, Match, Level, int], str]
-"""Answers `match.asked` with the key of one of its options."""
+class Searching:
+    """What minds share: a search that is worked on a little at a time."""
+
+    done = False
+    _work: Work
+
+    def think(self, budget: float, clock: Callable[[], float] = perf_counter) -> bool:
+        """Work for `budget` s, and one simulation at least; whether there is nothing left to do."""
+        end = clock() + budget
+        while not self.done:
+            self.done = next(self._work, True) is True
+            if clock() >= end:
+                break
+        return self.done

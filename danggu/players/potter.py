@@ -3,10 +3,8 @@ engine, and the best is what bears the level's error best."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterable
+from collections.abc import Generator, Iterable
 from random import Random
-from time import perf_counter
-from typing import NamedTuple
 
 from danggu.rules.match import Match
 from danggu.rules.state import BREAK, SECOND
@@ -20,7 +18,7 @@ from .declaring import declared
 from .levels import Attempt, Level
 from .lies import lie_and_targets
 from .mouths import measured
-from .plan import Plan
+from .plan import Plan, Searching, Work
 from .potting import aimed, pots, variants
 from .safeties import safeties
 from .starts import Start, starts
@@ -32,22 +30,8 @@ DOUBTFUL = 0.3  # chance below which a cushion is thought of
 FRESH, FEWEST = 30, 8
 SOFT = 1.2  # m/s: of the stroke that it has before it thinks
 
-Work = Generator[None, None, None]
 
-
-class Meaning(NamedTuple):
-    """What a stroke is meant to do.
-
-    what: "break", "pot", "push" (out) or "safety".
-    ball, pocket: names, or "" where they do not matter.
-    """
-
-    what: str
-    ball: str = ""
-    pocket: str = ""
-
-
-class Potter:
+class Potter(Searching):
     """Thinks about the coming stroke as `plan.Mind` says; the outcome depends on no budget.
 
     effort: strokes tried at most.
@@ -56,7 +40,7 @@ class Potter:
     def __init__(
         self, world: World, match: Match, level: Level, seed: int = 0, effort: int = 4000
     ) -> None:
-        self.level, self.match, self.done = level, match, False
+        self.level, self.match = level, match
         self.share: float | None = None
         self._world, self._rng = world.copy(), Random(seed)
         self._craft, self._effort = craft(level), effort
@@ -75,16 +59,6 @@ class Potter:
         return self._trials.tried
 
     @property
-    def meaning(self) -> Meaning:
-        """What the plan is meant to do, for the picture."""
-        one = self.chosen
-        if self.match.state.phase == BREAK and not one.way:
-            return Meaning("break")
-        if one.way is not None:
-            return Meaning("pot", one.way.ball, one.way.opening.hole.name)
-        return Meaning("push" if one.call.push else "pot" if one.pots else "safety")
-
-    @property
     def plan(self) -> Plan:
         one = self.chosen
         return Plan(one.aim.shot(), one.call, one.start.place)
@@ -93,14 +67,6 @@ class Potter:
         one = self.chosen
         missed = self.level.missed(one.aim, rng, self._trials.radius)
         return Plan(missed.shot(), one.call, one.start.place)
-
-    def think(self, budget: float, clock: Callable[[], float] = perf_counter) -> bool:
-        end = clock() + budget
-        while not self.done:
-            self.done = next(self._work, True) is True
-            if clock() >= end:
-                break
-        return self.done
 
     # -- the search: each of these stops after every stroke that is tried -----------------------
 

@@ -6,10 +6,11 @@ balls are on the table: what lies there beside them is taken off, what is missin
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from math import dist
 
+from danggu.rules import GAMES, RACKS
 from danggu.rules.match import Match
 from danggu.rules.nine_ball import NineBall
 from danggu.rules.pocketed import CUE
@@ -22,11 +23,7 @@ from physics import Ball, Placed, World
 
 from .hand import GAP, Point, hindrance, usual
 
-RACKS = {
-    "eight_ball": "8-ball", "nine_ball": "9-ball", "ten_ball": "10-ball", "straight_pool": "14.1",
-    "snooker": "snooker", "free_pyramid": "pyramid", "dynamic_pyramid": "pyramid",
-    "combined_pyramid": "pyramid",
-}  # fmt: skip
+KINDS = {GAMES[game]().key: kind for game, kind in RACKS.items()}
 """How a game is racked, by the key of its rules: what `Table.rack` takes."""
 LOOSE = 5e-5  # m: how far balls of a rack lie off their places; no rack is perfect
 IN_A_POCKET = -2.0  # m: the height of a ball that is down
@@ -64,7 +61,7 @@ def settled(world: World, match: Match, spot: Sequence[str], count: int, seed: i
     spot: the balls that are spotted, in their order.
     count: how many are racked, 0 for none.
     """
-    if match.rules.key not in RACKS:
+    if match.rules.key not in KINDS:
         return match
     left = {*match.state.left}
     if count:
@@ -117,11 +114,10 @@ def _spot_colours(world: World, names: Sequence[str]) -> None:
             _on_line(world, name, spots[name], (half, spots[name][1]))
 
 
-def _occupied(world: World, at: Point, but: Iterable[str] = ()) -> bool:
+def _occupied(world: World, at: Point) -> bool:
     """Whether a ball laid there would overlap another one."""
     near = 2 * world.table.radius
-    there = (ball for ball in world.balls if not ball.gone and ball.name not in but)
-    return any(dist(ball.position, at) < near for ball in there)
+    return any(dist(ball.position, at) < near for ball in world.balls if not ball.gone)
 
 
 def _on_line(world: World, name: str, start: Point, end: Point) -> None:
@@ -142,7 +138,7 @@ def _on_line(world: World, name: str, start: Point, end: Point) -> None:
 def rack(world: World, match: Match, seed: int) -> list[tuple[str, Point]]:
     """Names and places of the balls of a full rack, the apex first, m."""
     table = world.table
-    balls = table.rack(RACKS[match.rules.key], disorder=LOOSE, seed=seed)
+    balls = table.rack(KINDS[match.rules.key], disorder=LOOSE, seed=seed)
     places = [(ball.name, ball.position) for ball in balls]
     if isinstance(match.rules, NineBall) and match.rules.on_foot_spot == "9":
         x = table.spots["foot"][0] - dict(places)["9"][0]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from .carom import Carom
-from .state import FRESH, GameState
+from .state import GameState
 from .stroke import Stroke, Zone
 from .verdict import Turn, Verdict
 
@@ -50,9 +50,6 @@ class Balkline(Carom):
     @property
     def key(self) -> str:
         return self.name
-
-    def start(self, players: int) -> GameState:
-        return FRESH
 
     def cannon(self, done: Stroke, turn: Turn) -> Verdict:
         verdict = Carom.cannon(self, done, turn)

@@ -10,14 +10,13 @@ import numpy as np
 from . import pool, reasons
 from .state import BREAK
 from .stroke import TIE
-from .strokes import RAIL, Strokes
+from .strokes import OFF, POCKET, RAIL, Strokes
 from .verdict import NO_BALL, OFF_TABLE, Turn, Verdicts
 from .verdicts import Ruling, joined, pieces
 
 if TYPE_CHECKING:
     from physics import Outcomes
 
-POCKET, LEFT = 3, 4  # kinds of contacts in `physics.Outcomes`
 Faults = list[tuple[Any, str]]
 
 
@@ -36,7 +35,7 @@ class Pots(Strokes):
         kind = self._lines["kind"]
         rails = (kind == RAIL) & ~self._lines["again"]
         self.down = self._which(kind == POCKET)
-        self.gone = self.down | self._which(kind == LEFT)
+        self.gone = self.down | self._which(kind == OFF)
         self.lost = self.gone[:, self.own]
         self.potted = np.delete(self.down, self.own, axis=1).any(axis=1)
         driven = self.gone | self._which(rails)

@@ -66,13 +66,13 @@ class Sagu:
         closing = turn.target is not None and last is not None and turn.reached(last)
         return 3 if closing else 0
 
-    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
-        return self.judge(stroke(log, turn.cue), turn)
-
     @property
     def extra(self) -> bool:
         """Is the last stroke one off three cushions that is worth nothing?"""
         return self.finish == EXTRA_3C
+
+    def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
+        return self.judge(stroke(log, turn.cue), turn)
 
     def verdicts(self, outcomes: Outcomes, turn: Turn) -> Verdicts:
         from .cannons import sagu_verdicts
@@ -112,7 +112,7 @@ class Sagu:
         if seen.cushions < cushions:
             late = seen.cushions == cushions - 1 and done.cushion_at(second)
             return Verdict(SAME_INSTANT if late else FEW_CUSHIONS, facts=seen)
-        extra = cushions > 0 and self.finish == EXTRA_3C
-        won = extra or (self.finish != EXTRA_3C and turn.reached(1))
+        extra = cushions > 0 and self.extra
+        won = extra or (not self.extra and turn.reached(1))
         reason = BOTH_REDS_3C if cushions else BOTH_REDS
         return Verdict(reason, 0 if extra else 1, made=True, passes=False, won=won, facts=seen)

@@ -12,7 +12,7 @@ from .verdicts import number
 if TYPE_CHECKING:
     from physics import Outcomes
 
-HIT, RAIL, OFF = 1, 2, 4  # kinds of contacts in `physics.Outcomes`
+HIT, RAIL, POCKET, OFF = 1, 2, 3, 4  # kinds of contacts in `physics.Outcomes`
 
 
 class Strokes:

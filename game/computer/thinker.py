@@ -12,7 +12,8 @@ from random import Random
 from time import perf_counter
 
 from danggu.players import lagger
-from danggu.players.minds import answer, mind
+from danggu.players.answers import answer
+from danggu.players.minds import mind
 from danggu.players.plan import Mind, Plan
 from danggu.rules.match import Match
 from game.aim.entry import BOXES, plain
@@ -46,7 +47,7 @@ class Thinker:
         self.mind: Mind | None = None
         self._queue: list[Action] = []
         self._about: tuple[Match, int, int] | None = None
-        self._hurried = self._own = False
+        self._hurried = False
         self._since = self._shown_at = self._decided = 0
         self._shown: str | None = None
         self._own = False
@@ -186,23 +187,17 @@ class Thinker:
         session, contest = self.session, self.session.contest
         assert contest is not None
         assert contest.level is not None
-        about = contest.match, session.stamp, id(session.world)
-        if about != self._about:
-            self._about, self._since = about, session.tick
-        if session.tick - self._since < LOOK and not self._hurried:
+        if not (self._looked_at(contest.match) or self._hurried):
             return None
         self._hurried = False
-        return Action("answer", answer(session.world, contest.match, contest.level, self.seed))
+        return Action("answer", answer(session.world, contest.match, contest.level))
 
     def _lag(self) -> Action | None:
         """Play for the first stroke, once the table has been seen."""
         session, contest = self.session, self.session.contest
         assert contest is not None
         assert contest.level is not None
-        about = contest.match, session.stamp, id(session.world)
-        if about != self._about:
-            self._about, self._since = about, session.tick
-        if session.tick - self._since < LOOK:
+        if not self._looked_at(contest.match):
             return None
         rng = Random(self.seed + 7 * session.shots)
         world = session.world.copy()
@@ -216,7 +211,12 @@ class Thinker:
             return False
         if session.paused or session.moving or session.held:
             return False
-        about = contest.match, -1, 0
+        return self._looked_at(contest.match)
+
+    def _looked_at(self, match: Match) -> bool:
+        """Has the table as it lies now been on show for long enough?"""
+        session = self.session
+        about = match, session.stamp, id(session.world)
         if about != self._about:
             self._about, self._since = about, session.tick
         return session.tick - self._since >= LOOK

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from functools import lru_cache
 from io import BytesIO
 
 import numpy as np
@@ -115,6 +116,12 @@ class Type:
         return _halved(
             self._sized(2 * px).render(string, True, colour), colour, self._ascent(2 * px)
         )
+
+
+@lru_cache(maxsize=4)
+def type_at(s: float) -> Type:
+    """Return the font at a scale: the same one every time, which keeps what it has rendered."""
+    return Type(s)
 
 
 def _halved(large: pygame.Surface, colour: Colour, ascent: int) -> pygame.Surface:

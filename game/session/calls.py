@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from danggu.players.declaring import CALLED, FREE_PYRAMID
 from danggu.rules.match import Match
 from danggu.rules.snooker import COLOUR, COLOURS, RED
 from danggu.rules.snooker import kind as colour_of
 from danggu.rules.state import BREAK, SECOND, Call
 from physics import World
 
-CALLED = {"eight_ball", "ten_ball", "straight_pool"}
-"""Games in which ball and pocket are called, or a safety."""
 ROTATION = {"nine_ball", "ten_ball"}
-FREE_PYRAMID = "free_pyramid"
 
 
 def allowed(match: Match) -> frozenset[str]:

@@ -202,11 +202,11 @@ class Contest:
             return True
         before, lay, rack = self.match, world.layout(), self.rack
         done = observer.seen(world, before)
-        self._rule(before.ruled(done), before)
-        self.card = scorecard.after(self.card, before, before.ruled(done), rack)
+        verdict = before.ruled(done)
+        self._rule(verdict, before)
+        self.card = scorecard.after(self.card, before, verdict, rack)
         if self.terms.discipline.position:
             return carom_table.settled(world, before, self.match, self.verdict, self.terms.world())
-        verdict = before.ruled(done)
         self.match = spotting.settled(world, self.match, verdict.spot, verdict.rack, self.seed)
         if before.rules.key == "snooker":
             lie = observer.lie_of(world, verdict, done, before)

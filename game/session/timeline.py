@@ -110,14 +110,6 @@ class Timeline:
         return bisect_right(self.events, self.moment, key=lambda event: event.time)
 
     @property
-    def traced(self) -> float:
-        """World time up to which traces are drawn: while the balls run, the last event's, s."""
-        if not self.runs:
-            return self.moment
-        count = self.passed
-        return self.events[count - 1].time if count else self.began
-
-    @property
     def label(self) -> str:
         """The speed as it is written: ×1/8 ... ×8."""
         return f"×{self.rate // 8}" if self.rate >= USUAL else f"×1/{USUAL // self.rate}"

@@ -55,6 +55,10 @@ class Sight:
     def settings(self) -> Settings:
         return self.preferences.settings
 
+    def look(self, name: str) -> BallLook:
+        """How the ball of that name looks."""
+        return self.looks[[ball.name for ball in self.session.world.balls].index(name)]
+
     def line(self, edited: TextField) -> TextLine:
         """How a text that is being edited looks."""
         return TextLine(edited.text, edited.caret, edited.selection, self.composition.text)

@@ -39,7 +39,6 @@ DRAWN = {
     "kitchen": lambda s: hand.region(s, LAYOUT, POOL, "kitchen"),
     "bed": lambda s: hand.region(s, LAYOUT, POOL, WHOLE),
     "held": lambda s: hand.held(s, (300.3, 200.8), 9.6, 1.0),
-    "forbidden": lambda s: hand.forbidden(s, (300.3, 200.8), 9.6, 1.0),
     "tags": lambda s: pygame.Rect.unionall(*(r := tags.draw(s, LAYOUT, TYPE, BALLS))[:1], r[1:]),
 }
 
@@ -138,10 +137,10 @@ def test_a_tag_covers_no_ball_and_no_path():
     path = [(270.0, 245.0), (600.0, 245.0)]
     for ball in balls:
         at = tags.place(LAYOUT, ball, balls, [path])
-        if at is not None:
-            gaps = [hypot(at[0] - b.at[0], at[1] - b.at[1]) - b.radius for b in balls]
-            assert min(gaps) > tags.ROOM
-            assert abs(at[1] - 245.0) > tags.ROOM
+        assert at is not None
+        gaps = [hypot(at[0] - b.at[0], at[1] - b.at[1]) - b.radius for b in balls]
+        assert min(gaps) > tags.ROOM
+        assert abs(at[1] - 245.0) > tags.ROOM
 
 
 def test_a_ball_in_the_middle_of_a_rack_goes_without_a_tag():
@@ -168,7 +167,8 @@ def test_numbers_stand_beside_balls_that_are_too_small_and_in_the_safe_set():
     assert wanted(nine, 7.2, "usual")
     assert not wanted(nine, 9.6, "usual")
     assert wanted(look("9", 0, "safe", "pool"), 9.6, "safe")
-    assert not wanted(cue, 7.2, "safe") or not cue.letter
+    assert not wanted(cue, 7.2, "usual")
+    assert not wanted(look("cue", 0, "safe", "pool"), 7.2, "safe")
     assert not wanted(look("pink", 0, "usual", "snooker"), 6.0, "usual")
     assert wanted(look("pink", 0, "safe", "snooker"), 6.0, "safe")
     assert not wanted(look("red 1", 0, "usual"), 8.0, "usual")

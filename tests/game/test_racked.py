@@ -2,6 +2,7 @@
 
 import pytest
 
+from game.render.parts import lanes
 from game.render.table import lines
 from game.session.action import Action
 from game.ui.table.racked import racked
@@ -45,3 +46,21 @@ def test_balls_of_carom_keep_their_start_marks(monkeypatch):
     run_to_rest(app)
     assert not racked(app.session)
     assert rings_and_dots(monkeypatch, app)["ring"] >= 1
+
+
+def test_a_lane_has_the_colour_of_its_ball_also_where_not_every_ball_has_one(monkeypatch):
+    app = an_app(size=(1280, 720))
+    app.perform(Action("scene", "rack15"))
+    for stroke in ("8 0 0 0 0", "5 0 0 0 30"):  # the second one at a ball of the pack's end
+        app.perform(Action("play", stroke))
+        run_to_rest(app)
+    drawn = []
+    monkeypatch.setattr(
+        lanes, "timeline", lambda surface, rect, kind, found, *more: drawn.extend(found) or rect
+    )
+    app.view.expose()
+    app.redraw()
+    app.frame(0)
+    names = [ball.name for ball in app.session.world.balls if ball.name in app.session.traced]
+    assert names == ["cue", "15"]
+    assert [lane.colour for lane in drawn] == [app.view.sight.look(name).ui for name in names]

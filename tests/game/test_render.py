@@ -14,6 +14,7 @@ from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts import cards, fields, gauges, lanes, shapes
 from game.render.table import background, cue_stick, fan, lines
+from game.render.table.obstacles import Thing
 from tests.support.pictures import TABLES, black, changed, layouts, pixels, same, sprites
 
 LAYOUT = Layout((1280, 720), 2.448, 1.270)
@@ -240,7 +241,7 @@ def test_the_floor_is_plain_wherever_a_card_or_a_focus_ring_wipes_it(layout):
 
 def test_walls_inside_the_bed_are_drawn_where_they_stand():
     plain = pixels(background.background(LAYOUT))
-    walled = background.background(LAYOUT, walls=[[(0.0, -0.2), (0.0, 0.2)]])
+    walled = background.background(LAYOUT, things=[Thing("wall", [(0.0, -0.2), (0.0, 0.2)])])
     area = changed(plain, walled)
     assert area.collidepoint(LAYOUT.to_screen(0, 0))
     assert area.h == pytest.approx(0.4 * LAYOUT.scale, rel=0.2)

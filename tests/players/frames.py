@@ -1,23 +1,22 @@
-"""Whole frames of the computer against itself, with a hand that spots and racks the balls."""
+"""Whole frames of the computer against itself."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import dist
 from random import Random
 
-from danggu.players.hand import GAP, hindrance, usual
+from danggu.players.answers import answer
+from danggu.players.hand import hindrance, usual
 from danggu.players.levels import Level
-from danggu.players.minds import answer, mind
+from danggu.players.minds import mind
 from danggu.players.plan import Mind, Plan
+from danggu.players.spotting import settled
 from danggu.rules import GAMES, RACKS
 from danggu.rules.match import Match, Player
-from danggu.rules.spots import along, colour_spots
 from danggu.rules.verdict import Verdict
 from physics import Ball, Placed, World, simulate, tables
 
 TABLES = {"snooker": tables.SNOOKER_12FT, "pyramid": tables.PYRAMID_12FT}
-COLOURS = ("yellow", "green", "brown", "blue", "pink", "black")
 
 
 @dataclass(slots=True)
@@ -70,11 +69,11 @@ def frame(
         number = len(played.strokes) + 1000 * seed
         level = levels[match.at]
         if match.asked is not None:
-            key = answer(world, match, level, number)
+            key = answer(world, match, level)
             played.answers.append(key)
             option, match = match.asked.option(key), match.answered(key)
             world = before if option.restore else world
-            settle(world, match, option.spot, option.rack, number)
+            match = settled(world, match, option.spot, option.rack, number)
             continue
         thinker = thought(world, match, level, number, effort)
         before = placed(world, match, thinker.plan)
@@ -83,8 +82,8 @@ def frame(
         world = simulate(before, match.cue, plan.shot)
         verdict = match.judged(world.log.contacts())
         played.strokes.append(Stroke(match, thinker, plan, verdict))
-        played.match = match = match.after(verdict)
-        settle(world, match, verdict.spot, verdict.rack, number)
+        match = settled(world, match.after(verdict), verdict.spot, verdict.rack, number)
+        played.match = match
         if alone and match.at:
             break
     return played
@@ -96,49 +95,3 @@ def placed(world: World, match: Match, plan: Plan) -> World:
         assert hindrance(world, match.cue, plan.place, match.state.region) is None
         world.ball(match.cue).placed = Placed(complex(*plan.place))
     return world
-
-
-def settle(world: World, match: Match, spot: tuple[str, ...], rack: int, seed: int) -> None:
-    """Take off what is down, spot and rack what the rules say."""
-    if rack:
-        _rack(world, match, rack, seed)
-    for ball in world.balls:
-        if ball.name not in (*match.state.left, "cue") and not ball.gone:
-            ball.placed = Placed(complex(*ball.position), height=-2.0)
-    for name in dict.fromkeys((*spot, *match.state.left)):
-        if name in match.state.left and world.ball(name).gone:
-            _spot(world, name)
-    cue = world.ball("cue")
-    if match.state.region and cue.gone and not match.finished:
-        cue.placed = Placed(complex(*usual(world, "cue", match.state.region)))
-
-
-def _rack(world: World, match: Match, rack: int, seed: int) -> None:
-    """Where the cue ball or the last ball would be in the way, it is put elsewhere."""
-    table = world.table
-    game = next(name for name, kind in RACKS.items() if GAMES[name]().key == match.rules.key)
-    balls = table.rack(RACKS[game], disorder=5e-5, seed=seed)
-    stays = [b for b in world.balls if b.name != "cue" and not b.gone] if rack == 14 else []
-    racked = [ball for ball in balls if ball.name not in {b.name for b in stays}]
-    places = sorted(ball.position for ball in balls)[-len(racked) :]
-    for ball in racked:
-        world.ball(ball.name).placed = Placed(complex(0.0, 0.0), height=-2.0)
-    for ball, at in zip(racked, places, strict=True):
-        world.ball(ball.name).placed = Placed(complex(*at))
-    for name in ("cue", *(b.name for b in stays)):
-        ball = world.ball(name)
-        if not ball.gone and any(dist(ball.position, at) < 2 * ball.radius + GAP for at in places):
-            ball.placed = Placed(complex(*usual(world, name, "kitchen")))
-
-
-def _spot(world: World, name: str) -> None:
-    table = world.table
-    others = [b.position for b in world.balls if not b.gone and b.name != name]
-    spots, near = table.spots, 2 * table.radius + GAP
-    start = spots.get(name, spots.get("foot"))
-    if name in COLOURS:
-        taken = [c for c in COLOURS if any(dist(at, spots[c]) < near for at in others)]
-        start = spots[colour_spots((name,), taken)[name] or name]
-    end = 0.5 * table.length - table.radius
-    at = along(start, (end, start[1]), others, near) or along(start, (-end, start[1]), others, near)
-    world.ball(name).placed = Placed(complex(*at))

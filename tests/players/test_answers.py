@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
+from danggu.players.answers import answer
 from danggu.players.levels import CLUB, MASTER
-from danggu.players.minds import answer
 from danggu.rules import GAMES, pool
 from danggu.rules.match import Match
 from danggu.rules.state import PLAY, Option, Question
@@ -51,7 +51,7 @@ CASES = {
 @pytest.mark.parametrize("level", [CLUB, MASTER], ids=lambda level: level.key)
 def test_every_question_is_answered_with_one_of_its_options(case, level):
     world, match = CASES[case]()
-    key = answer(world, match, level, 1)
+    key = answer(world, match, level)
     assert key in [option.key for option in match.asked.options]
     match.answered(key)
 

@@ -8,7 +8,7 @@ import pytest
 from danggu.__main__ import main, world_of
 from danggu.players.errors import missed
 from danggu.players.levels import CLUB
-from danggu.rules import GAMES
+from danggu.rules import GAMES, RACKS
 from danggu.rules.verdict import Turn
 from danggu.scores import scores
 from physics import Ball, Shot, scenes, simulate, store
@@ -45,6 +45,12 @@ def test_with_errors_it_is_worth_the_mean_of_its_copies(tmp_path, capsys):
         logs = [simulate(world, "white", Shot(*row)).log for row in copies[20 * k : 20 * k + 20]]
         wins = [rules.verdict(log, Turn(cue="white")).made for log in logs]
         assert made[k] == pytest.approx(np.mean(wins), abs=1e-12)
+
+
+@pytest.mark.parametrize("game", [game for game in GAMES if game not in (*RACKS, "free")])
+def test_a_cannon_game_is_swept_from_its_opening(game, capsys):
+    assert main(["sweep", "--game", game, "--speed", "4", "--angle", "0,180"]) == 0
+    assert "2 shots at white" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("workers", [["--threads", "2"], ["--processes", "2"]])

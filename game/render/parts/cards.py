@@ -111,7 +111,6 @@ def engine(
     first: str,
     second: str,
     corner: str = "",
-    healthy: bool = True,
     kept: int = 0,
 ) -> pygame.Rect:
     """Draw the card that names the engine (first line) and the table (second).
@@ -120,8 +119,7 @@ def engine(
     """
     s = type_.s
     card(surface, rect, s)
-    light = theme.GOOD if healthy else theme.ERROR
-    shapes.disc(surface, (rect.x + 18 * s, rect.y + 17 * s), 4 * s, light)
+    shapes.disc(surface, (rect.x + 18 * s, rect.y + 17 * s), 4 * s, theme.GOOD)
     left, right = rect.x + 30 * s, rect.right - 12 * s
     first = type_.fitted(first, 13, right - left - kept * s)
     type_.draw(surface, first, (left, rect.y + 21 * s), 13, theme.TEXT)

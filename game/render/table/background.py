@@ -9,7 +9,7 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.render.arrays import Bytes, Floats, Points
+from game.render.arrays import Bytes, Floats
 from game.render.layout import BORDER, CUSHION, Layout
 from game.render.theme import BACKGROUND, CLOTHS, Colour, mix
 from physics import tables
@@ -29,15 +29,13 @@ SIDES = ((1.10, 11), (0.96, 23), (1.02, 37), (1.05, 41))
 def background(
     layout: Layout,
     cloth: str = "blue",
-    walls: Sequence[Points] = (),
     table: tables.Table | None = None,
     things: Sequence[obstacles.Thing] = (),
     patches: Sequence[Patch] | None = None,
 ) -> pygame.Surface:
     """Return the window without cards and balls.
 
-    `cloth` is a key of `theme.CLOTHS`.  `walls` are walls inside the bed, each a line of points in
-    metres, drawn as strips of cushion.  `table` says what its rails, pockets and lines are; without
+    `cloth` is a key of `theme.CLOTHS`.  `table` says what its rails, pockets and lines are; without
     one they are a carom table's.  `things` stand or gape somewhere else.  `patches` are
     its pockets, if they have been measured.
     """
@@ -56,8 +54,6 @@ def background(
     else:
         chalk.draw(surface, layout, table, colour)
     cut(surface, layout, finish, pockets, nap)
-    for wall in walls:
-        obstacles.strip(surface, layout, wall, colour)
     for thing in things:
         obstacles.draw(surface, layout, thing, colour)
     return surface

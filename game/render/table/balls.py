@@ -123,23 +123,14 @@ class BallSprites:
         """Turn a ball with `spin` (wx, wy, wz in rad/s, z to the viewer) for `dt` seconds."""
         self.orient(index, rotated(self._orientations[index], spin, dt))
 
-    def advance(self, index: int, rotation: tuple[float, float, float]) -> None:
-        """Turn a ball by a rotation vector in radians."""
-        self.rotate(index, rotation, 1.0)
-
     def orientation(self, index: int) -> Quaternion:
         """Return how a ball has turned since it was made of glass and light, scalar part first."""
         return self._orientations[index]
 
     def orient(self, index: int, turn: Quaternion) -> None:
         """Set how a ball has turned, as `orientation` gave it (for scrubbing and undo)."""
-        if turn != self._orientations[index]:
+        if turn != self._orientations[index]:  # what is painted asks whether it is the same object
             self._orientations[index] = turn
-
-    def rack(self) -> None:
-        """Turn every ball back to how it lay at the beginning."""
-        for index, look in enumerate(self.looks):
-            self.orient(index, _racked(index, look))
 
     def settle(self) -> None:
         """Turn balls with numbers so that these can be read, from the end that is nearer."""

@@ -1,4 +1,4 @@
-"""Ball in hand: where it may be put, the ball that is held, and a place that is forbidden."""
+"""Ball in hand: where it may be put, and the ball that is held."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pygame
 
 from game.render.arrays import Points
 from game.render.layout import Layout
-from game.render.theme import ACCENT, ERROR, WHITE
+from game.render.theme import ACCENT, WHITE
 from physics import tables
 
 from . import lines
@@ -98,14 +98,3 @@ def held(
         point = x + u * tip, y + v * tip
         rect = rect.union(lines.polygon(surface, [point, *wings], ACCENT, 0.95))
     return rect
-
-
-def forbidden(
-    surface: pygame.Surface, centre: tuple[float, float], radius: float, s: float
-) -> pygame.Rect:
-    """Mark a place where a ball of `radius` px may not be put: a red ring with a bar."""
-    x, y = centre
-    rect = lines.ring(surface, centre, radius, ERROR, 2.0 * s, 1.0, 0.30)
-    half = 0.66 * radius
-    bar = [(x - half, y - half), (x + half, y + half)]
-    return rect.union(lines.polyline(surface, bar, ERROR, 2.0 * s, 1.0))

@@ -11,6 +11,7 @@ from game.render.arrays import Floats
 
 from .finish import Finish
 from .ground import Ground
+from .light import smooth
 from .plan import LINER
 
 SHEEN = (74, 69, 64)
@@ -29,12 +30,6 @@ def cover(distance: Floats, scale: float) -> Floats:
 def lay(picture: Floats, colour: Floats | tuple[int, int, int], share: Floats) -> None:
     """Cover a share of each pixel with a colour."""
     picture += (np.asarray(colour, np.float32) - picture) * share[..., None]
-
-
-def smooth(low: float, high: float, value: Floats) -> Floats:
-    """0 below `low`, 1 above `high`, and an even way between."""
-    t = ((value - low) / (high - low)).clip(0, 1)
-    return np.asarray(t * t * (3 - 2 * t), np.float32)
 
 
 def line(

@@ -39,7 +39,8 @@ def normals(
     return np.stack((x, y, z)).astype(np.float32), cover.astype(np.float32)
 
 
-def _smooth(low: float, high: float, value: Floats) -> Floats:
+def smooth(low: float, high: float, value: Floats) -> Floats:
+    """Return 0 below `low`, 1 above `high`, and an even way between."""
     t = ((value - low) / (high - low)).clip(0, 1)
     return np.asarray(t * t * (3 - 2 * t), np.float32)
 
@@ -51,7 +52,7 @@ def _lamps(x: float, y: float) -> list[Floats]:
 
 def diffuse(normal: Floats, x: float, y: float) -> Floats:
     """Return linear light, about 0 to 1, falling on each normal of a ball at (x, y) metres."""
-    total = 0.03 + 0.19 * _smooth(-0.3, 1.0, normal[2])
+    total = 0.03 + 0.19 * smooth(-0.3, 1.0, normal[2])
     for lamp in _lamps(x, y):
         far = float(np.sqrt(lamp @ lamp))
         facing = np.tensordot(lamp / far, normal, 1)
@@ -77,7 +78,7 @@ def highlight(normal: Floats, x: float, y: float) -> Floats:
     for lamp in _lamps(x, y):
         u = mirrored[0] / np.maximum(up, 0.05) - lamp[0] / lamp[2]
         v = mirrored[1] / np.maximum(up, 0.05) - lamp[1] / lamp[2]
-        inside = _smooth(-0.17, 0.17, 0.50 - np.abs(u)) * _smooth(-0.17, 0.17, 0.32 - np.abs(v))
+        inside = smooth(-0.17, 0.17, 0.50 - np.abs(u)) * smooth(-0.17, 0.17, 0.32 - np.abs(v))
         total += 0.52 * inside * (up > 0.05)
     return total
 
@@ -93,7 +94,7 @@ def overlays(
     kept = (diffuse(normal, x, y) * (1 - 0.55 * edge)).clip(0, 1) ** (1 / GAMMA)
     times = np.stack((kept, kept, kept, cover), axis=-1)
     green = np.array(cloth, np.float32) / 255
-    below = _smooth(0.1, -0.9, normal[1])
+    below = smooth(0.1, -0.9, normal[1])
     bounce = (0.30 * edge * (0.45 + 0.55 * below))[..., None] * green**GAMMA
     added = (bounce + highlight(normal, x, y)[..., None]).clip(0, 1) ** (1 / 1.8)
     return np.round(times * 255).astype(np.uint8), np.round(added * 255).astype(np.uint8)

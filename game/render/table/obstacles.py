@@ -33,7 +33,7 @@ class Thing(NamedTuple):
     radius: float = 0.0
 
 
-def strip(surface: pygame.Surface, layout: Layout, wall: Points, colour: Colour) -> None:
+def _strip(surface: pygame.Surface, layout: Layout, wall: Points, colour: Colour) -> None:
     """Draw a wall inside the bed: its shadow, its cloth and its lit nose."""
     points = [layout.to_screen(*p) for p in wall]
     width = WIDTH * layout.scale
@@ -53,7 +53,7 @@ def draw(surface: pygame.Surface, layout: Layout, thing: Thing, colour: Colour) 
     elif thing.kind == "post":
         _post(surface, layout, thing, colour)
     else:
-        strip(surface, layout, thing.points, colour)
+        _strip(surface, layout, thing.points, colour)
     surface.set_clip(clip)
 
 

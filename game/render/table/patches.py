@@ -14,7 +14,8 @@ from game.render.theme import CLOTHS
 from . import bed, leather
 from .finish import Finish
 from .ground import FEATHER, Ground, Patch
-from .leather import cover, lay, smooth
+from .leather import cover, lay
+from .light import smooth
 
 
 def cut(

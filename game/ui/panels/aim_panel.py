@@ -14,7 +14,7 @@ from game.aim.thickness import EIGHTHS
 from game.aim.tip import STEEPEST
 from game.render.layout import Layout
 from game.render.parts import cards, cue_card, gauges
-from game.render.theme import TEXT_SOFT, Colour
+from game.render.theme import TEXT_SOFT
 from game.session.action import Action
 from game.settings.settings import CHOICES
 from game.ui.sight import Place, Sight
@@ -147,24 +147,18 @@ def thickness_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> 
     w, contact, session = sight.words, _contact(sight), sight.session
     if contact is None:
         return _nothing_met(surface, rect, sight)
+    colour = sight.look(contact.ball).ui
     if pot_card.wanted(session):
         pot_card.draw(surface, rect, sight)
-        gauges.eighths(surface, rect, sight.type, contact.overlap, _ui(sight, contact))
-        return rect
-    colour = _ui(sight, contact)
-    items = [(eighths(contact.overlap), w["thickness.cut"].format(angle=number(contact.cut, 1)))]
-    if (share_made := sight.spread.share) is not None:
-        items.append((f"{round(100 * share_made)} %", w["spread.made"].format(angle=ANGLE)))
-    args = (w["thickness"], items, contact.overlap, colour)
-    gauges.thickness(surface, rect, sight.type, *args)
+    else:
+        cut = w["thickness.cut"].format(angle=number(contact.cut, 1))
+        items = [(eighths(contact.overlap), cut)]
+        if (share_made := sight.spread.share) is not None:
+            items.append((f"{round(100 * share_made)} %", w["spread.made"].format(angle=ANGLE)))
+        args = (w["thickness"], items, contact.overlap, colour)
+        gauges.thickness(surface, rect, sight.type, *args)
     gauges.eighths(surface, rect, sight.type, contact.overlap, colour)
     return rect
-
-
-def _ui(sight: Sight, contact: FirstContact) -> Colour:
-    """The colour of the ball that is met."""
-    names = [ball.name for ball in sight.session.world.balls]
-    return sight.looks[names.index(contact.ball)].ui
 
 
 def thickness_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:

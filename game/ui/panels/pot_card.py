@@ -56,8 +56,7 @@ def draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rec
     seen = session.preview
     assert seen is not None and seen.contact is not None  # noqa: PT018
     contact = seen.contact
-    names = [ball.name for ball in session.world.balls]
-    colour = sight.looks[names.index(contact.ball)].ui
+    colour = sight.look(contact.ball).ui
     items = [(f"{number(contact.cut, 0)}°", w["pot.cut"])]
     if (share := sight.spread.share) is not None:
         items.append((f"{round(100 * share)} %", w["pot.made"].format(angle=ANGLE)))

@@ -13,7 +13,6 @@ from game.render.parts import lanes
 from game.session.action import Action
 from game.session.ticks import TICKS
 from game.ui.sight import Place, Sight
-from game.ui.table.looks import kind_of, look
 
 from .parts import Panel, number
 
@@ -96,10 +95,9 @@ def wheel(steps: int, sight: Sight) -> Action:
 
 
 def _lanes(sight: Sight, found: Story) -> list[lanes.Lane]:
-    session, colours = sight.session, sight.settings.colours
-    names = [name for name in (ball.name for ball in session.world.balls) if name in session.traced]
-    result = []
-    for place, name in enumerate(names):
+    session, traced, result = sight.session, sight.session.traced, []
+    names = [ball.name for ball in session.world.balls if ball.name in traced]
+    for name in names:
         own = [e for e in found.events if name in e.balls]
         legs = next((lane.legs for lane in found.lanes if lane.name == name), ())
         joins = (
@@ -112,7 +110,7 @@ def _lanes(sight: Sight, found: Story) -> list[lanes.Lane]:
         kinds = "cushion", "rest", "pocket"
         marks = {k: tuple(e.time for e in own if e.kind == k) for k in kinds}
         rests = tuple(time for time in marks["rest"] if time not in marks["pocket"])
-        ink = look(name, place, colours, kind_of(session.world)).ui
+        ink = sight.look(name).ui
         lane = lanes.Lane(ink, legs, marks["cushion"], tuple(joins), rests, marks["pocket"])
         result.append(lane)
     return result

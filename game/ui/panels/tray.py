@@ -74,8 +74,7 @@ def _slot(
         b for b in balls if b.name == name
     ]  # fmt: skip
     down = sum(ball.gone for ball in mine)
-    place = next(i for i, ball in enumerate(balls) if ball is mine[0])
-    colour = sight.looks[place].body
+    colour = sight.look(mine[0].name).body
     plain = theme.LINE_INPUT if name.isdigit() or _dark(colour) else colour
     edge = theme.ACCENT if name in targets(session) else plain
     shapes.disc(surface, at, radius, colour if down else theme.PANEL, edge, 1.5 * t.s)

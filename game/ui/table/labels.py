@@ -5,13 +5,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from functools import lru_cache
 
 import pygame
 
 from game.aim.preview import Preview
 from game.render.arrays import Points
-from game.render.font import Type
+from game.render.font import type_at
 from game.render.layout import Layout
 from game.render.table import pocket_marks, tags
 from game.render.table.balls import Spot
@@ -49,7 +48,7 @@ def share(
         if name != session.cue and made is not None:
             ink, spot = looks[names.index(name)].ui, pocket_marks.pill_spot(layout, hole)
             text = f"{round(100 * made)} %"
-            return [pocket_marks.pill(surface, _type(layout.s), text, spot, ink)]
+            return [pocket_marks.pill(surface, type_at(layout.s), text, spot, ink)]
     return []
 
 
@@ -70,9 +69,4 @@ def tags_of(
         found.append(tags.Tag(layout.to_screen(*spot.at), radius, text))
     if not any(tag.text for tag in found):
         return []
-    return tags.draw(surface, layout, _type(layout.s), found, paths)
-
-
-@lru_cache(maxsize=4)
-def _type(s: float) -> Type:
-    return Type(s)
+    return tags.draw(surface, layout, type_at(layout.s), found, paths)

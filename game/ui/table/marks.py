@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from cmath import rect
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
 from math import copysign, radians
 
 import pygame
 
 from game.aim.preview import path
-from game.render.font import Type
+from game.render.font import type_at
 from game.render.layout import Layout
 from game.render.parts import cards
 from game.render.table import hand, lines, pocket_marks
@@ -180,16 +179,11 @@ def _traces(
                 rects.append(lines.ring(surface, shown[0], radius, look.ui, 1.3 * s, 0.8))
             if lettered and look.letter and name not in heap:
                 at = shown[0][0] - TAG * s, shown[0][1] - TAG * s
-                rects.append(cards.tag(surface, at, _type(s), look.ui, look.letter))
+                rects.append(cards.tag(surface, at, type_at(s), look.ui, look.letter))
         if session.timeline.at is not None:
             ahead = preview_lines.on_screen(layout, path(log, name, now, session.world.time))
             rects.append(lines.polyline(surface, ahead, look.ui, 1.3 * s, 0.26))
     return rects + _hits(surface, layout, session, looks, now)
-
-
-@lru_cache(maxsize=4)
-def _type(s: float) -> Type:
-    return Type(s)
 
 
 def _hits(
