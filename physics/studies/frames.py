@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from physics.checks import array
 from physics.log import Log
 from physics.moments import Motion
-from physics.shot import Shot
+from physics.shot import NUMBERS, Shot
 
 from .ledger import Ledger, ledger
 
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     Columns = dict[str, npt.NDArray[Any]]
-
-NUMBERS = ("speed", "angle", "follow", "masse", "side", "climb")  # of a shot
 
 
 def columns(
