@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from physics.kernel.leg import travelled
 from physics.shot import Shot
 from physics.world import World
 
@@ -28,7 +29,7 @@ def places(world: World, times: npt.NDArray[np.float64]) -> Places:
             [(leg.since, leg.position, leg.velocity, leg.acceleration) for leg in legs]
         ).T
         k, t = _on_legs(since.real, times)
-        found[:, i] = p[k] + t * (v[k] + 0.5 * t * a[k])
+        found[:, i] = travelled(p[k], v[k], a[k], t)
     return found
 
 
@@ -65,5 +66,5 @@ class Paths(Replay):
         )
         k, t = _on_legs(since.real, times)
         speed, wide = v[k] + t * a[k], t[:, None]
-        found = p_by[k] + wide * (v_by[k] + 0.5 * wide * a_by[k]) - speed[:, None] * late[k]
-        return p[k] + t * (v[k] + 0.5 * t * a[k]), found, np.where(times > 0.0, speed, 0j)
+        found = travelled(p_by[k], v_by[k], a_by[k], wide) - speed[:, None] * late[k]
+        return travelled(p[k], v[k], a[k], t), found, np.where(times > 0.0, speed, 0j)
