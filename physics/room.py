@@ -29,15 +29,15 @@ def inside(lines: Iterable[Wall], far: float, out: float = 0.0) -> list[complex]
     square of half the side `far`, m."""
     corners = [complex(x, y) * far for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     for line in lines:
-        corners = _cut(corners, line, out)
+        corners = cut(corners, [line.distance((p.real, p.imag)) + out for p in corners])
     return corners
 
 
-def _cut(corners: list[complex], wall: Wall, out: float) -> list[complex]:
-    """The part of a convex polygon that is inside the wall, moved out by so many metres."""
+def cut(corners: list[complex], ahead: list[float]) -> list[complex]:
+    """The part of a convex polygon in front of a line; ahead: how far each corner is, m."""
     left: list[complex] = []
-    for p, q in pairwise([*corners, corners[0]] if corners else []):
-        a, b = (wall.distance((corner.real, corner.imag)) + out for corner in (p, q))
+    placed = [*zip(corners, ahead, strict=True)]
+    for (p, a), (q, b) in pairwise([*placed, *placed[:1]]):
         if a >= 0.0:
             left.append(p)
         if a * b < 0.0:
