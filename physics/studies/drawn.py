@@ -22,6 +22,7 @@ from physics.shot import Shot, heading
 from physics.simulation import simulate
 from physics.world import World
 
+from .least_squares import huber
 from .parameters import NUMBERS
 from .paths import Paths, places
 
@@ -254,9 +255,8 @@ class _Search:
         if after is None:
             return inf
         size = np.abs(_Match(self.drawn, *self._path(after), self.rests).miss) / self.noise
-        loss = np.where(size <= BEND, size * size, BEND * (2.0 * size - BEND)).sum()
         mean, wide = _habits(numbers, self.given)
-        return float(loss + (((numbers - mean) / wide) ** 2).sum())
+        return huber(size, BEND) + float((((numbers - mean) / wide) ** 2).sum())
 
     def _normal(self, numbers: Any, spread: float = 1.0) -> tuple[Any, Any]:
         """Curvature (5, 5) and downhill (5,) of half the cost."""
