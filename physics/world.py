@@ -181,8 +181,10 @@ class World(Contents, Pictured):
             from .watch import watch
 
             watch(rules, self._balls, self._asking, self._warned)
-        scene = self.scene._replace(cloth=self._clock.cloth, bands=self._cloth.strips())
-        self.scene = scene._replace(ball_rule=ball, cushion_rule=cushion, rules=walls)
+        self.scene = self.scene._replace(
+            cloth=self._clock.cloth, bands=self._cloth.strips(), ball_rule=ball,
+            cushion_rule=cushion, rules=walls,
+        )  # fmt: skip
 
     def _refuse_laws(self, call: str) -> None:
         """RuntimeError if a custom law, while it is asked, uses this."""
