@@ -22,14 +22,19 @@ def places(world: World, times: npt.NDArray[np.float64]) -> Places:
     """(T, balls), complex, m: at so many seconds after the epoch; before it, as it began."""
     import numpy as np
 
-    found = np.empty((len(times), len(world.balls)), complex)
-    for i, ball in enumerate(world.balls):
-        legs = world.log.legs(ball.name)
-        since, p, v, a = np.array(
-            [(leg.since, leg.position, leg.velocity, leg.acceleration) for leg in legs]
-        ).T
-        k, t = _on_legs(since.real, times)
-        found[:, i] = travelled(p[k], v[k], a[k], t)
+    return np.stack([course(world, ball.name, times) for ball in world.balls], axis=1)
+
+
+def course(world: World, ball: str, times: npt.NDArray[np.float64]) -> Places:
+    """(T,) of one ball."""
+    import numpy as np
+
+    legs = world.log.legs(ball)
+    since, p, v, a = np.array(
+        [(leg.since, leg.position, leg.velocity, leg.acceleration) for leg in legs]
+    ).T
+    k, t = _on_legs(since.real, times)
+    found: Places = travelled(p[k], v[k], a[k], t)
     return found
 
 
