@@ -14,7 +14,7 @@ import numpy as np
 from matplotlib.patches import Circle, Ellipse, Rectangle
 
 from physics import Shot, scenes, sensitivity, simulate, tables, trace
-from physics.studies.sensitivity import AIM, NUMBERS
+from physics.studies.sensitivity import NUMBERS
 
 SHOT = Shot(3.0, 39.5, follow=1.0, side=0.5)
 ERRORS = (0.002, 0.006, 0.006, 0.001, 0.006)  # the linear law nearly holds for these
@@ -54,7 +54,7 @@ def table(axes, seen, world):
         if seen.rest[k].any():
             ellipse(axes, ball.position, seen.covariance(ERRORS)[k], colour)
     hits = [slopes.event for slopes in seen.events if slopes.event.kind == "ball"]
-    for hit, factor in zip(hits, seen.amplification(AIM), strict=True):
+    for hit, factor in zip(hits, seen.amplification(), strict=True):
         axes.annotate(
             f"×{factor:.0f}", hit.point, (12, 14), textcoords="offset points", fontsize=12,
             arrowprops={"arrowstyle": "-", "lw": 0.6},

@@ -2,13 +2,13 @@
 
 from .kernel.leg import travelled
 from .kernel.motion import length
-from .kernel.obstacle import SEGMENT, Shape, clearance
+from .kernel.obstacle import ARC, SEGMENT, Shape, clearance
 
 STRAIGHT = 1e-12  # m: a path that bends by no more is straight
 
 
 def known_farthest(shape: Shape, p: complex, v: complex, a: complex, t: float) -> float | None:
-    """The greatest distance, m, of a path from a segment or a post within t seconds, or None.
+    """The greatest distance, m, of a path from an obstacle within t seconds, or None.
 
     p, v, a: its start, m, velocity and acceleration.
     """
@@ -17,7 +17,7 @@ def known_farthest(shape: Shape, p: complex, v: complex, a: complex, t: float) -
         near, far = _range(shape.inward, p - shape.first, v, a, t)
         if low >= 0.0 and high <= shape.size and near >= 0.0:
             return far  # in front of it all the way, where it is a line
-    bend = _bend(v, a, t)
+    bend = _bend(v, a, t) if shape.kind != ARC else None  # an arc is not convex
     if bend is None:
         return None
     # the distance from what is convex is greatest at an end of a straight path

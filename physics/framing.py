@@ -7,6 +7,7 @@ from math import fsum, inf
 from .kernel.body import Scene
 from .kernel.motion import length
 from .kernel.obstacle import ARC, LINE, POCKET, POST, SEGMENT, Shape, beside
+from .room import cut
 
 FAR = 1e6  # m: what is farther away is not asked about
 ALONG = 1e-12  # m: what reaches no farther in front of a line is along it
@@ -39,7 +40,7 @@ def frame(walls: tuple[Shape, ...], radius: float) -> tuple[int, ...]:
     for side in longest:
         found += [len(side), *side]
         left = [wall for wall in left if _in_front(wall, walls[side[0]])]
-        corners = _cut(corners, walls[side[0]], radius)
+        corners = cut(corners, [_ahead(walls[side[0]], p) - radius for p in corners])
         if not left and all(_far_from(corners, hole) for hole in holes):
             return tuple(found) if len(corners) > 2 else ()
     return ()
@@ -62,18 +63,6 @@ def _in_front(wall: Shape, side: Shape) -> bool:
 def _ahead(side: Shape, p: complex) -> float:
     """How far the point is in front of the line that the side lies on."""
     return (side.inward * p).real - side.offset
-
-
-def _cut(corners: list[complex], side: Shape, radius: float) -> list[complex]:
-    """The part of a convex polygon in which balls of that radius are in front of the side."""
-    left: list[complex] = []
-    for p, q in pairwise([*corners, corners[0]] if corners else []):
-        a, b = _ahead(side, p) - radius, _ahead(side, q) - radius
-        if a >= 0.0:
-            left.append(p)
-        if a * b < 0.0:
-            left.append(p + a / (a - b) * (q - p))
-    return left
 
 
 def _far_from(corners: list[complex], hole: Shape) -> bool:

@@ -4,7 +4,6 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from .checks import keep, nonnegative, positive, vector
-from .farthest import known_farthest
 from .kernel.obstacle import POCKET, POST, Shape
 from .wall import Arc, Law, Obstacle, Point, Segment, Wall, around, keep_law, rounded
 
@@ -45,10 +44,6 @@ class Post(Obstacle):
 
     def circles(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
         return ((self.shape.centre, self.radius + radius + gap),)
-
-    def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
-        known = known_farthest(self.shape, p, v, a, t)
-        return Obstacle.farthest(self, p, v, a, t) if known is None else known
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,7 +21,7 @@ def check_room(thing: Obstacle, others: Sequence[Obstacle]) -> None:
     elif isinstance(thing, Pocket):
         for other in others:
             if isinstance(other, Pocket) and _overlap(thing, other):
-                raise ValueError(f"the pockets {_called(thing)} and {_called(other)} overlap")
+                raise ValueError(f"the pockets {called(thing)} and {called(other)} overlap")
 
 
 def inside(lines: Iterable[Wall], far: float, out: float = 0.0) -> list[complex]:
@@ -29,15 +29,15 @@ def inside(lines: Iterable[Wall], far: float, out: float = 0.0) -> list[complex]
     square of half the side `far`, m."""
     corners = [complex(x, y) * far for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     for line in lines:
-        corners = _cut(corners, line, out)
+        corners = cut(corners, [line.distance((p.real, p.imag)) + out for p in corners])
     return corners
 
 
-def _cut(corners: list[complex], wall: Wall, out: float) -> list[complex]:
-    """The part of a convex polygon that is inside the wall, moved out by so many metres."""
+def cut(corners: list[complex], ahead: list[float]) -> list[complex]:
+    """The part of a convex polygon in front of a line; ahead: how far each corner is, m."""
     left: list[complex] = []
-    for p, q in pairwise([*corners, corners[0]] if corners else []):
-        a, b = (wall.distance((corner.real, corner.imag)) + out for corner in (p, q))
+    placed = [*zip(corners, ahead, strict=True)]
+    for (p, a), (q, b) in pairwise([*placed, *placed[:1]]):
         if a >= 0.0:
             left.append(p)
         if a * b < 0.0:
@@ -50,13 +50,13 @@ def _check_lines(lines: list[Wall], new: Wall) -> None:
     to have one would lose some of its walls. A side may be moved in."""
     left, met, lost = _lost(tuple(line.numbers for line in (*lines, new)))
     if not left:
-        raise ValueError(f"no place is inside all lines with {_called(new)}")
+        raise ValueError(f"no place is inside all lines with {called(new)}")
     if not met:
-        raise ValueError(f"no ball can meet {_called(new)}: other lines are in front of it")
+        raise ValueError(f"no ball can meet {called(new)}: other lines are in front of it")
     if lost and not (len(lost) == 1 and _moves_in(new, lines[lost[0]])):
         raise ValueError(
-            f"lines have no ends: behind {_called(new)} no ball can meet"
-            f" {' and '.join(_called(lines[k]) for k in lost)}; use Wall.segment for walls that end"
+            f"lines have no ends: behind {called(new)} no ball can meet"
+            f" {' and '.join(called(lines[k]) for k in lost)}; use Wall.segment for walls that end"
         )
 
 
@@ -91,5 +91,6 @@ def _overlap(a: Pocket, b: Pocket) -> bool:
     return float(length(a.shape.centre - b.shape.centre)) < a.radius + b.radius
 
 
-def _called(thing: Obstacle) -> str:
+def called(thing: Obstacle) -> str:
+    """What a message says of it: its name, or what it is."""
     return repr(thing.name) if thing.name else repr(thing)

@@ -1,7 +1,10 @@
 """A shot: the five numbers that the thesis's boxes ask for, and one for balls that jump."""
 
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass, fields
 from math import copysign
+from operator import attrgetter
+from typing import Any
 
 from .checks import finite, keep, positive
 from .kernel import elementary
@@ -91,3 +94,9 @@ class Shot:
 
 
 NUMBERS = tuple(field.name for field in fields(Shot))
+_numbers = attrgetter(*NUMBERS)
+
+
+def rows(shots: Iterable[Any]) -> list[Any]:
+    """The numbers of each shot; what is no Shot, but a row already, stays as it is."""
+    return [_numbers(shot) if isinstance(shot, Shot) else shot for shot in shots]

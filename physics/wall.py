@@ -66,8 +66,9 @@ class Obstacle:
 
     def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
         """The greatest distance, m, of a point that starts at p with v and accelerates with a,
-        within t seconds.  To 1e-9 of the path, if it is no line."""
-        return float(greatest(self.shape, p, v, a, t))
+        within t seconds.  To 1e-9 of the path, where it takes a search."""
+        known = known_farthest(self.shape, p, v, a, t)
+        return float(greatest(self.shape, p, v, a, t)) if known is None else known
 
     def curve(self) -> tuple[complex, ...]:
         """Points along it, as many as it takes to look round; of a line, none."""
@@ -213,10 +214,6 @@ class Segment(Obstacle):
 
     def circles(self, radius: float, gap: float) -> tuple[tuple[complex, float], ...]:
         return (self.shape.first, radius + gap), (self.shape.last, radius + gap)
-
-    def farthest(self, p: complex, v: complex, a: complex, t: float) -> float:
-        known = known_farthest(self.shape, p, v, a, t)
-        return Obstacle.farthest(self, p, v, a, t) if known is None else known
 
 
 @dataclass(frozen=True, slots=True)

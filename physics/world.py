@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import repeat
 from math import inf
 from operator import attrgetter
-from typing import Any, TypeVar
+from typing import Any
 
 from . import laws
 from .ball import DISTURBED, Ball, Clock, Placed, a_table
@@ -30,7 +30,6 @@ from .wall import Obstacle
 
 FEW = 30  # balls: for more than that, cells pay (benchmarks: scale)
 
-
 OWN = "__weakref__", "_asking", "_balls", "_clock", "_index", "_walls", "log", "scene"
 SHARED = (  # with a copy
     "_ball_law", "_checked", "_cloth", "_cluster_law", "_cushion_law", "_discs", "_engine",
@@ -38,7 +37,6 @@ SHARED = (  # with a copy
 )  # fmt: skip
 _shared = attrgetter(*SHARED)
 
-Thing = TypeVar("Thing", bound=Ball | Obstacle)
 
 class World(Contents, Pictured):
     """Balls inside walls on a cloth, laws for what happens when they touch, an engine and a log.
@@ -183,8 +181,10 @@ class World(Contents, Pictured):
             from .watch import watch
 
             watch(rules, self._balls, self._asking, self._warned)
-        scene = self.scene._replace(cloth=self._clock.cloth, bands=self._cloth.strips())
-        self.scene = scene._replace(ball_rule=ball, cushion_rule=cushion, rules=walls)
+        self.scene = self.scene._replace(
+            cloth=self._clock.cloth, bands=self._cloth.strips(), ball_rule=ball,
+            cushion_rule=cushion, rules=walls,
+        )  # fmt: skip
 
     def _refuse_laws(self, call: str) -> None:
         """RuntimeError if a custom law, while it is asked, uses this."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -14,13 +13,11 @@ from physics.kernel.body import COLUMNS
 from physics.kernel.kinds import RESTING
 from physics.kernel.leg import DOWN
 from physics.places import OVERLAP, off_bed
-from physics.shot import NUMBERS, Shot
+from physics.shot import NUMBERS, Shot, rows
 
 if TYPE_CHECKING:
     from physics.ball import Ball
     from physics.world import World
-
-_numbers = attrgetter(*NUMBERS)
 
 
 class Asked(NamedTuple):
@@ -137,7 +134,7 @@ def _listed_shots(shots: Any) -> Any:
     try:
         if not isinstance(shots, np.ndarray):
             checked = all(type(shot) is Shot for shot in shots)
-            shots = [_numbers(shot) if isinstance(shot, Shot) else shot for shot in shots]
+            shots = rows(shots)
             if checked and shots:
                 return np.array(shots)
         table = array("shots", shots) if len(shots) else np.empty((0, 6))

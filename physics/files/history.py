@@ -10,7 +10,7 @@ from physics.batch.outcomes import Outcomes
 from physics.checks import array
 from physics.kernel.kinds import KINDS, PHASE_NAMES
 from physics.log import Leg, Log
-from physics.shot import Shot
+from physics.shot import Shot, rows
 from physics.simulation import simulate
 from physics.world import World
 
@@ -51,12 +51,8 @@ class Played(NamedTuple):
     @classmethod
     def batch(cls, world: World, ball: Ball | str, shots: Any, outcomes: Outcomes) -> Played:
         """The scene of a batch: shots and outcomes as `simulate_many` takes and returns them."""
-        rows = [
-            [getattr(shot, name) for name in Shot.__slots__] if isinstance(shot, Shot) else shot
-            for shot in shots
-        ]
         name = world.ball(ball).name
-        return cls(world.copy(), name, outcomes=outcomes, shots=array("shots", rows))
+        return cls(world.copy(), name, outcomes=outcomes, shots=array("shots", rows(shots)))
 
     def after(self) -> World:
         """The world after the shot, played again; as it is, if there is no shot."""

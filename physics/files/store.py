@@ -15,14 +15,13 @@ from physics.checks import array, vector
 from physics.cloth import Cloth
 from physics.engines import exact, stepping
 from physics.kernel.body import Body
-from physics.kernel.kinds import PHASE_NAMES
 from physics.kernel.leg import place, risen
 from physics.post import OBSTACLES
-from physics.shot import Shot
+from physics.shot import NUMBERS, Shot
 from physics.wall import Obstacle, Point, Wall
 from physics.world import World
 
-from .history import Played, log_data, log_of, outcomes_data, outcomes_of
+from .history import PHASES, Played, log_data, log_of, outcomes_data, outcomes_of
 from .node import Node
 from .record import (
     COMPLEX,
@@ -39,8 +38,6 @@ from .record import (
 )
 
 __all__ = ["Played", "dumps", "load", "loads", "restore", "save"]
-
-NUMBERS = {name: number for number, name in PHASE_NAMES.items()}
 
 
 def dumps(thing: World | Shot | Played) -> str:
@@ -118,7 +115,7 @@ def restore(data: Any) -> World | Shot | Played:
     if version != VERSION and kind == "world":
         node = Node({**node.value, "discs": _unequal(node)}, "")
     if kind == "shot":
-        return Shot(**{field.name: node[field.name].number() for field in fields(Shot)})
+        return _shot(node)
     if kind == "scene":
         return _scene(node)
     if kind != "world":
@@ -131,7 +128,7 @@ def _scene(node: Node) -> Played:
     ball = None
     if "shot" in node.value:
         ball = world.ball(node["ball"].text()).name
-        shot = Shot(**{field.name: node["shot"][field.name].number() for field in fields(Shot)})
+        shot = _shot(node["shot"])
     if "log" in node.value:
         log = log_of(node["log"], world)
     if "outcomes" in node.value:
@@ -139,6 +136,10 @@ def _scene(node: Node) -> Played:
     if "shots" in node.value:
         shots = array("shots", node["shots"].value)
     return Played(world, ball, shot, log, outcomes, shots)
+
+
+def _shot(node: Node) -> Shot:
+    return Shot(**{name: node[name].number() for name in NUMBERS})
 
 
 def _unequal(node: "Node") -> bool:
@@ -294,10 +295,10 @@ def _body(node: Node) -> Body:
             whole = name in ("goal", "partner")
             setattr(body, name, int(note.number()) if whole else note.number_or_inf())
     phase = node["phase"].text()
-    if phase != DISTURBED and phase not in NUMBERS:
-        known = ", ".join([DISTURBED, *NUMBERS])
+    if phase != DISTURBED and phase not in PHASES:
+        known = ", ".join([DISTURBED, *PHASES])
         raise ValueError(f"{node.where}.phase is {phase!r}; it must be one of {known}")
-    body.phase = NUMBERS.get(phase, -1)
+    body.phase = PHASES.get(phase, -1)
     return body
 
 

@@ -5,7 +5,7 @@ from .impulses import WALL
 from .kinds import CLUSTER, CUSHION, DROP, LASTING, LEAVE, NOTHING, PAIR
 from .subset import kernel, whole
 
-NO_TOUCH, BALL_TOUCH, CUSHION_TOUCH, POCKET_TOUCH, OFF_TOUCH = 0, 1, 2, 3, 4  # in the notes
+BALL_TOUCH, CUSHION_TOUCH, POCKET_TOUCH, OFF_TOUCH = 1, 2, 3, 4  # in the notes; 0 is none
 
 
 @kernel

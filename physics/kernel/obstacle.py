@@ -15,7 +15,8 @@ from .subset import complex, inf, kernel
 
 LINE, SEGMENT, ARC, POST, POCKET = 0, 1, 2, 3, 4
 NOBODY = -1
-FACING = 1e-8  # the length of the sum of the normals of two walls that face each other
+FACING = 1e-5  # the length of the sum of the normals of two walls that face each other: it takes
+# about one over that many hits to hop out from between two
 MARGIN = 1e-4  # radii from the end of a rail, and of the speed across it: above all rounding
 
 

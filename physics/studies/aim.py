@@ -14,8 +14,8 @@ from typing import NamedTuple
 from physics.ball import Ball
 from physics.checks import finite, vector
 from physics.kernel.motion import length
+from physics.room import called
 from physics.shot import Shot, direction, heading
-from physics.wall import Obstacle
 from physics.world import World
 
 from .refining import Wanted, refined
@@ -235,7 +235,7 @@ def _insist_on_table(world: World, ball: Ball, spot: complex, name: str) -> None
         if wall.pushes and wall.distance(_point(spot)) < ball.radius - NEAR:
             raise ValueError(
                 f"mirrored, the way meets the cushion {name!r} at {_short(spot)}, where"
-                f" {_called(wall)} is in the way"
+                f" {called(wall)} is in the way"
             )
     rail = min(wall.distance(_point(spot)) for wall in world.walls if wall.name == name)
     if rail > ball.radius + NEAR:
@@ -264,10 +264,6 @@ def _point(p: complex) -> Point:
 
 def _short(p: complex) -> str:
     return f"({p.real:.4g}, {p.imag:.4g})"
-
-
-def _called(wall: Obstacle) -> str:
-    return repr(wall.name) if wall.name else repr(wall)
 
 
 def __dir__() -> list[str]:

@@ -11,16 +11,17 @@ from typing import Any
 
 from physics.checks import positive
 from physics.engines.engine import Movable
+from physics.kernel.kinds import PHASES
 from physics.whole_files import replace
 
 from . import svg
 from .plot import MISSING, colours, extent, lay_table
-from .trace import trace
 
 PATIENCE = 1.0  # s: what is done by then needs no bar
 WIDE = 8.0  # inches of a film, at DPI dots an inch
 DPI = 100
 MOST = 20_000  # frames: a film of more would take hours
+GONE = {phase.name for phase in PHASES if phase.gone}
 
 Progress = Callable[[int], object]
 
@@ -73,11 +74,10 @@ class Animation:
     def html(self) -> str:
         """A page that plays it, by itself: it needs no network and no library."""
         log, names = self.world.log, [ball.name for ball in self.world.balls]
-        gone = ("off", "pocketed")
         legs = [
             [
                 [round(leg.time, 9), *(round(x, 9) for z in motion for x in (z.real, z.imag)),
-                 int(leg.state().phase in gone)]
+                 int(PHASES[leg.phase].gone)]
                 for leg in log.legs(name)
                 for motion in [(leg.position, leg.velocity, leg.acceleration)]
             ]
@@ -160,8 +160,8 @@ class Animation:
         axes.set(xlim=(west, east), ylim=(south, north))
         axes.axis("off")
         lay_table(axes, self.world)
-        _, paths = trace(self.world, times=times)
-        phases = [motion.phase for motion in self.world.log.at(times).values()]
+        self.world.plan()  # a ball that was just placed is on a leg, too
+        motions = [*self.world.log.at(times).values()]
         discs: list[Any] = []
         for ball in self.world.balls:
             body, dark = colours(self.world, ball.name)
@@ -169,9 +169,9 @@ class Animation:
             discs.append(axes.add_patch(disc))
 
         def draw(k: int) -> Any:
-            for i, disc in enumerate(discs):
-                disc.center = paths[k, i]
-                disc.set_visible(phases[i][k] not in ("off", "pocketed"))
+            for disc, motion in zip(discs, motions, strict=True):
+                disc.center = motion.position[k]
+                disc.set_visible(motion.phase[k] not in GONE)
             return discs
 
         return figure, draw

@@ -22,8 +22,9 @@ from physics.shot import Shot, heading
 from physics.simulation import simulate
 from physics.world import World
 
+from .least_squares import huber
 from .parameters import NUMBERS
-from .paths import Paths, places
+from .paths import Paths, course
 
 if TYPE_CHECKING:
     import numpy as np
@@ -128,10 +129,16 @@ def _spaced(spots: Any, apart: float) -> Points:
 
 
 class _Try(NamedTuple):
-    """A shot's numbers (5,), and how much is wrong about it: misses and odd habits."""
+    """A shot's numbers (5,), and how much is wrong about it: misses and odd habits.
+
+    after: the world after the shot, or None if it cannot be played.
+    match: the drawing's with its path.
+    """
 
     numbers: Any
     cost: float
+    after: Any = None
+    match: Any = None
 
 
 class _Search:
@@ -148,16 +155,14 @@ class _Search:
         import numpy as np
 
         fits = self._fits()
-        best = fits[0].numbers
-        after = self._played(best)
-        assert after is not None  # its cost is finite
-        size = np.abs(_Match(self.drawn, *self._path(after), self.rests).miss)
+        size = np.abs(fits[0].match.miss)
         off = np.flatnonzero(size > BEND * self.noise)
         ends = len(off) > 2 and off[-1] == len(size) - 1
         late = _last_run(off) if ends else len(size)
         spread = max(1.0, float(np.median(size)) / (MEDIAN * self.noise))
         covariance = self._covariance(fits, spread)
-        return Drawn(_shot(best), covariance, sqrt(float((size * size).mean())), late / len(size))
+        best = _shot(fits[0].numbers)
+        return Drawn(best, covariance, sqrt(float((size * size).mean())), late / len(size))
 
     def _fits(self) -> list[_Try]:
         """The best first, and others that explain the drawing otherwise."""
@@ -197,7 +202,7 @@ class _Search:
         for fit in fits:
             off = fit.numbers - fits[0].numbers
             share = exp(-0.5 * (fit.cost - fits[0].cost) / (spread * spread))
-            here = np.linalg.inv(self._normal(fit.numbers, spread)[0])
+            here = np.linalg.inv(self._normal(fit, spread)[0])
             whole += share * (here + np.outer(off, off))
             total += share
         return whole / total
@@ -218,7 +223,14 @@ class _Search:
     def _tried(self, numbers: Any) -> _Try:
         import numpy as np
 
-        return _Try(np.array(numbers), self._cost(numbers))
+        numbers = np.array(numbers)
+        after = self._played(numbers)
+        if after is None:
+            return _Try(numbers, inf)
+        match = _Match(self.drawn, *self._path(after), self.rests)
+        mean, wide = _habits(numbers, self.given)
+        odd = float((((numbers - mean) / wide) ** 2).sum())
+        return _Try(numbers, huber(np.abs(match.miss) / self.noise, BEND) + odd, after, match)
 
     # -- one shot ------------------------------------------------------------------------------
 
@@ -237,7 +249,7 @@ class _Search:
 
         last = after.log.legs(self.ball)[-1].since
         times = np.linspace(0.0, last, max(2, round(last / TICK)))
-        spots = places(after, times)[:, self.number]
+        spots = course(after, self.ball, times)
         along = np.concatenate(([0.0], np.cumsum(np.abs(np.diff(spots)))))
         end = len(times)
         if not self.rests:
@@ -245,27 +257,14 @@ class _Search:
             end = min(end, int(np.searchsorted(along, far)) + 2)
         at = np.linspace(0.0, along[end - 1], max(2, round(along[end - 1] / FINE)))
         moments = np.interp(at, along[:end], times[:end])
-        return moments, places(after, moments)[:, self.number], end == len(times)
+        return moments, course(after, self.ball, moments), end == len(times)
 
-    def _cost(self, numbers: Any) -> float:
-        import numpy as np
-
-        after = self._played(numbers)
-        if after is None:
-            return inf
-        size = np.abs(_Match(self.drawn, *self._path(after), self.rests).miss) / self.noise
-        loss = np.where(size <= BEND, size * size, BEND * (2.0 * size - BEND)).sum()
-        mean, wide = _habits(numbers, self.given)
-        return float(loss + (((numbers - mean) / wide) ** 2).sum())
-
-    def _normal(self, numbers: Any, spread: float = 1.0) -> tuple[Any, Any]:
+    def _normal(self, fit: _Try, spread: float = 1.0) -> tuple[Any, Any]:
         """Curvature (5, 5) and downhill (5,) of half the cost."""
         import numpy as np
 
-        after = self._played(numbers)
-        assert after is not None  # its cost is finite
-        match = _Match(self.drawn, *self._path(after), self.rests)
-        paths = Paths(after, self.ball, _shot(numbers), NUMBERS)
+        numbers, match = fit.numbers, fit.match
+        paths = Paths(fit.after, self.ball, _shot(numbers), NUMBERS)
         _, slopes, _ = paths.slopes(self.number, match.times)
         miss = np.concatenate((match.across(match.miss), match.along(match.miss)))
         j = np.concatenate((match.across(slopes), match.along(slopes)))
@@ -283,7 +282,7 @@ class _Search:
 
         damping = 1e-2
         for _ in range(rounds if isfinite(fit.cost) else 0):
-            curve, down = self._normal(fit.numbers)
+            curve, down = self._normal(fit)
             before = fit.cost
             for _ in range(TRIES):
                 step = np.linalg.solve(curve + np.diag(damping * np.diag(curve)), down)

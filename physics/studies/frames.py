@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from physics.checks import array
 from physics.log import Log
 from physics.moments import Motion
-from physics.shot import Shot
+from physics.shot import NUMBERS, rows
 
 from .ledger import Ledger, ledger
 
@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     Columns = dict[str, npt.NDArray[Any]]
-
-NUMBERS = ("speed", "angle", "follow", "masse", "side", "climb")  # of a shot
 
 
 def columns(
@@ -36,8 +34,8 @@ def columns(
     if isinstance(thing, Log):
         thing = ledger(thing)
     if isinstance(thing, Ledger):
-        rows = thing.table()
-        return {name: rows[name] for name in rows.dtype.names or ()}
+        entries = thing.table()
+        return {name: entries[name] for name in entries.dtype.names or ()}
     _insist_on_outcomes(thing)
     found = _numbers(shots, len(thing.times)) if shots is not None else {}
     found |= {"time": thing.times, "events": thing.events}
@@ -133,11 +131,7 @@ def _names(outcomes: Any, balls: Sequence[str] | None) -> list[str]:
 
 def _numbers(shots: Any, count: int) -> Columns:
     """The numbers of the shots that there are, by name."""
-    rows = [
-        [getattr(shot, name) for name in NUMBERS] if isinstance(shot, Shot) else shot
-        for shot in shots
-    ]
-    table = array("shots", rows)
+    table = array("shots", rows(shots))
     if table.ndim != 2 or len(table) != count or table.shape[1] > len(NUMBERS):
         raise ValueError(f"shots must be those of the batch, {count}, not {table.shape}")
     return dict(zip(NUMBERS, table.T, strict=False))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from physics.kernel.leg import travelled
 from physics.shot import Shot
 from physics.world import World
 
@@ -21,14 +22,19 @@ def places(world: World, times: npt.NDArray[np.float64]) -> Places:
     """(T, balls), complex, m: at so many seconds after the epoch; before it, as it began."""
     import numpy as np
 
-    found = np.empty((len(times), len(world.balls)), complex)
-    for i, ball in enumerate(world.balls):
-        legs = world.log.legs(ball.name)
-        since, p, v, a = np.array(
-            [(leg.since, leg.position, leg.velocity, leg.acceleration) for leg in legs]
-        ).T
-        k, t = _on_legs(since.real, times)
-        found[:, i] = p[k] + t * (v[k] + 0.5 * t * a[k])
+    return np.stack([course(world, ball.name, times) for ball in world.balls], axis=1)
+
+
+def course(world: World, ball: str, times: npt.NDArray[np.float64]) -> Places:
+    """(T,) of one ball."""
+    import numpy as np
+
+    legs = world.log.legs(ball)
+    since, p, v, a = np.array(
+        [(leg.since, leg.position, leg.velocity, leg.acceleration) for leg in legs]
+    ).T
+    k, t = _on_legs(since.real, times)
+    found: Places = travelled(p[k], v[k], a[k], t)
     return found
 
 
@@ -65,5 +71,5 @@ class Paths(Replay):
         )
         k, t = _on_legs(since.real, times)
         speed, wide = v[k] + t * a[k], t[:, None]
-        found = p_by[k] + wide * (v_by[k] + 0.5 * wide * a_by[k]) - speed[:, None] * late[k]
-        return p[k] + t * (v[k] + 0.5 * t * a[k]), found, np.where(times > 0.0, speed, 0j)
+        found = travelled(p_by[k], v_by[k], a_by[k], wide) - speed[:, None] * late[k]
+        return travelled(p[k], v[k], a[k], t), found, np.where(times > 0.0, speed, 0j)

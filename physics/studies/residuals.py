@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from .fit import Fit, StrokeFound
 from .grounds import INK
-from .plot import PAPER, colours, save
+from .plot import MISSING, PAPER, colours, save
 from .tracks import Track
 
 if TYPE_CHECKING:
@@ -27,9 +27,7 @@ def picture(found: Fit, tracks: Sequence[Track]) -> Figure:
     try:
         from matplotlib.figure import Figure
     except ImportError:
-        raise ImportError(
-            "pictures need matplotlib: pip install 'danggu[plot]', or pip install matplotlib"
-        ) from None
+        raise ImportError(MISSING) from None
     shown = list(zip(found.strokes, tracks, strict=True))[:MOST]
     figure = Figure(figsize=(9.0, 1.0 + 1.6 * len(shown)), facecolor=PAPER, layout="constrained")
     for axes, (stroke, track) in zip(

@@ -36,9 +36,6 @@ if TYPE_CHECKING:
     Array = npt.NDArray[np.float64]
     Errors = Sequence[float] | Mapping[str, float] | npt.NDArray[np.float64]
 
-SPEED, ANGLE, FOLLOW, MASSE, SIDE = range(5)
-AIM = (0.0, 1.0, 0.0, 0.0, 0.0)  # errors of a player who only aims badly
-
 
 class EventSlope(NamedTuple):
     """An event and its derivatives by the N inputs that were asked for, in their order.

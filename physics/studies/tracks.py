@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from physics.checks import array, positive
+from physics.wall import Obstacle
 from physics.world import World
 
 if TYPE_CHECKING:
@@ -130,7 +131,7 @@ def _outside(track: Track, world: World) -> Iterator[str]:
 
     for k, ball in enumerate(world.balls):
         times, spots = track.seen(k)
-        for wall in world.walls:
+        for wall in _pushing(world):
             gap = np.array([wall.distance((p.real, p.imag)) for p in spots]) - ball.radius
             if len(at := _in_a_row(gap < -OUTSIDE)):
                 at = at[np.argmin(gap[at])]
@@ -139,6 +140,11 @@ def _outside(track: Track, world: World) -> Iterator[str]:
                     f" cushion {wall.name!r}: wrong scale or origin? Places are metres from the"
                     " middle of the world"
                 )
+
+
+def _pushing(world: World) -> list[Obstacle]:
+    """All but pockets, in which balls may well be seen."""
+    return [wall for wall in world.walls if wall.pushes]
 
 
 def _in_a_row(wrong: Any) -> Any:
@@ -243,7 +249,7 @@ def _before(
     world: World, struck: int, spot: complex, velocity: complex, seconds: float
 ) -> Iterator[complex]:
     """The velocities with which it would have met a cushion within those seconds."""
-    for wall in world.walls:
+    for wall in _pushing(world):
         normal = wall.facing((spot.real, spot.imag))
         gap = wall.distance((spot.real, spot.imag)) - world.balls[struck].radius
         away = (normal.conjugate() * velocity).real

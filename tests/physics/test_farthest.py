@@ -31,6 +31,6 @@ def test_the_farthest_of_a_path_is_that_of_many_looks_at_it(thing, way):
 
 
 def test_a_path_beside_a_rail_is_not_searched(monkeypatch):
-    monkeypatch.setattr("physics.wall.Obstacle.farthest", None)
+    monkeypatch.setattr("physics.wall.greatest", None)
     assert RAIL.farthest(0.6j, 0.3 - 0.1j, 0.1 + 0.2j, 0.5) > 0.0
     assert RAIL.farthest(0.6j, 3.0 - 1.0j, -0.3 + 0.1j, 1.0) > 0.0

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from physics import Ball, Cloth, Shot, TimeStepping, Track, World, fit, laws, simulate
+from physics import Ball, Cloth, Shot, TimeStepping, Track, World, fit, laws, simulate, tables
 from physics.studies.paths import Paths
 from physics.studies.tracks import filmed
 from tests.physics.test_sensitivity_by import inputs, wide
@@ -260,3 +260,16 @@ def test_a_world_without_walls_shows_its_cloth():
     found = fit(world, [track], ("cloth.slide", "cloth.roll"))
     assert (np.abs(found.values - [0.25, 0.01]) < 4.0 * found.errors).all()
     assert found.strokes[0].errors["side"] == np.inf
+
+
+@pytest.mark.parametrize(("angle", "speed"), [(24.7, 3.0), (24.7, 1.15)])
+def test_a_ball_that_is_seen_at_a_pocket_is_inside_no_cushion(angle, speed):
+    """It lies at the rim of the hole, or has dropped, and is seen there as long as others move."""
+    world = tables.pool_9ft()
+    world.add(Ball("white", (0.0, 0.0)))
+    shot = Shot(speed, angle)
+    assert simulate(world, "white", shot).ball("white").gone
+    track = filmed(world, "white", shot, np.random.default_rng(1), until=3.0)
+    (stroke,) = fit(world, [track], ()).strokes
+    assert stroke.share == 1.0
+    assert stroke.shot.speed == pytest.approx(speed, abs=4.0 * stroke.errors["speed"])

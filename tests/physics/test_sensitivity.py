@@ -20,10 +20,11 @@ from physics import (
     tables,
 )
 from physics.studies.dual import value
-from physics.studies.sensitivity import ANGLE, SPEED, Replay
+from physics.studies.sensitivity import NUMBERS, Replay
 from tests.support import fifty
 
 STEP = "1e-16"  # in 50 digits: truncation and rounding both stay below 1e-20 of the result
+SPEED, ANGLE = map(NUMBERS.index, ("speed", "angle"))
 
 
 def state(ball):

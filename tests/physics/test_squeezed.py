@@ -1,6 +1,8 @@
 """A ball between two walls that are hardly farther apart than it is wide rolls on along them."""
 
+from cmath import rect
 from itertools import product
+from math import pi
 
 import numpy as np
 import pytest
@@ -69,10 +71,33 @@ def test_along_the_lane_it_keeps_what_it_has():
     world = lane(lines, 1e-8)
     world.strike("0", Shot(1.0))
     world.run()
-    free = World(balls=[Ball("0", (0.0, 0.0), radius=R)])
-    free.strike("0", Shot(1.0))
-    free.run()
-    assert world.ball("0").position[0] == pytest.approx(free.ball("0").position[0], rel=1e-3)
+    assert world.ball("0").position[0] == pytest.approx(rolled(1.0), rel=1e-3)
+
+
+def rolled(speed: float) -> float:
+    """How far it gets on the open cloth."""
+    world = World(balls=[Ball("0", (0.0, 0.0), radius=R)])
+    world.strike("0", Shot(speed))
+    world.run()
+    return world.ball("0").position[0]
+
+
+LEANS = [(lean, play) for lean in (1e-7, 1e-6, 5e-6) for play in (1e-10, 1e-9, 1e-7, 1e-6, 1e-5)]
+
+
+@pytest.mark.parametrize(("lean", "play"), LEANS)
+def test_in_a_lane_that_narrows_it_rolls_to_where_it_is_as_wide_as_the_lane(lean, play):
+    """It stopped within a millimetre, or hit the walls in turn until the budget."""
+    north = rect(1.0, lean - 0.5 * pi)
+    for angle in (180.0, 179.0, 181.0):
+        world = World(engine=EventDriven(budget=1000))
+        world.add(Wall.line(0.0, 1.0, R + 0.5 * play))
+        world.add(Wall.line(north.real, north.imag, R + 0.5 * play))
+        world.add(Ball("0", (0.0, 0.0), radius=R))
+        world.strike("0", Shot(1.0, angle))
+        world.run()
+        reach = min(play / lean, rolled(1.0))
+        assert world.ball("0").position[0] == pytest.approx(-reach, rel=1e-3)
 
 
 def test_both_kernels_agree_in_a_lane():
