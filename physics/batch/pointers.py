@@ -1,5 +1,5 @@
 """Custom laws as machine code: each is compiled by itself, in a fraction of a second, and the
-kernel, which takes fifteen to compile, calls it by its address."""
+kernel, which takes twenty to compile, calls it by its address."""
 
 from collections.abc import Callable
 from functools import cache
