@@ -208,7 +208,7 @@ def _legs(log: Log) -> Legs:
 
 
 def _story(log: Log, legs: Legs, since: float, now: float) -> Story:
-    events = [Mark(c.time - since, c.kind, c.balls, c.wall) for c in log.contacts() if counts(c)]
+    events = [Mark(c.time - since, c.kind, c.balls, c.wall) for c in log.brief() if counts(c)]
     lanes = []
     for name in log.names:
         own = legs[name]
