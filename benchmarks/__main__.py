@@ -15,6 +15,7 @@ COMMANDS = {
     "batch": "shots a second, by threads and by executor",
     "envs": "environments: steps a second, and what plain players score",
     "frame": "the game: update and drawing, moving and idle, and its start",
+    "influence": "what moves a stroke: coefficients, laws and the player's hand, in centimetres",
     "all": "speed, work-precision, scale, peers, skips, batch, envs and frame, one after the other",
 }
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from physics import Event, World, laws
 from physics.kernel.kinds import OFF
-from physics.kernel.lasting import HOP, SPREAD
+from physics.kernel.lasting import FAR, GROWTH, HOP, LONGEST, PATIENT, SPREAD
 from physics.wall import Obstacle
 
 from .nearness import least
@@ -55,7 +55,8 @@ def faults(world: World, pushed: bool = False) -> list[str]:
     found = []
     for epoch in sorted({float(begin) for leg in legs for begin in leg.epoch}):
         found += _epoch_faults(world, legs, epoch, pushed)
-    return found + _event_faults(world, world.log if pushed else world.log[-RECENT:])
+    first = 0 if pushed else max(0, len(world.log) - RECENT)
+    return found + _event_faults(world, range(first, len(world.log)))
 
 
 class Legs(NamedTuple):
@@ -257,14 +258,14 @@ def _jump_faults(world: World, parts: list[Legs], times: Any, epoch: float) -> l
 def _named(world: World, odd: Any, times: Any, epoch: float, faults: tuple[Any, ...]) -> list[str]:
     """What is wrong at the odd instants, given what happened there; the first three of it."""
     step, gain, drift, twist = faults
-    happened: dict[float, list[Any]] = {}
-    for event in world.log if len(odd) else ():
-        happened.setdefault(event.time, []).append(event)
+    happened: dict[float, list[int]] = {}
+    for n, event in enumerate(world.log if len(odd) else ()):
+        happened.setdefault(event.time, []).append(n)
     found = []
     for k in odd:
         events = happened.get(epoch + float(times[k]), [])  # none if a ball was pushed
-        kinds = {event.kind for event in events}
-        lent = sum(_lightest(world, event) * _floor(world, event) for event in events)
+        kinds = {world.log[n].kind for n in events}
+        lent = sum(_lightest(world, world.log[n]) * _floor(world, n) for n in events)
         bound = 0.5 * BLOWS * lent
         if events and step[k] > OVERLAP:
             found.append(f"a ball jumps by {step[k]:.2e} m at t = {times[k]}")
@@ -273,7 +274,7 @@ def _named(world: World, odd: Any, times: Any, epoch: float, faults: tuple[Any, 
         if kinds == {"ball"} and not isinstance(world.ball_law, laws.ThesisBall):
             if drift[k] > ROUNDING:
                 found.append(f"momentum changes by {drift[k]:.3e} of all at t = {times[k]}")
-            if twist[k] > max(_apart(world), *(_hop(world, event) for event in events)):
+            if twist[k] > max(_apart(world), *(_hop(world, n) for n in events)):
                 found.append(f"angular momentum changes by {twist[k]:.3e} m at t = {times[k]}")
     return found[:3]
 
@@ -283,16 +284,23 @@ def _apart(world: World) -> float:
     return TOUCHING if world.cluster_law is None else max(TOUCHING, world.cluster_law.gap)
 
 
-def _hop(world: World, event: Event) -> float:
-    """m: how far apart things may be that stay together; 0 if the event is too quick for that."""
+def _hop(world: World, n: int) -> float:
+    """m: how far apart things may be that stay together after event n; 0 if it is too quick."""
+    event = world.log[n]
     radius = max(world.ball(name).radius for name in event.balls)
-    hop = SPREAD * HOP * radius
+    hop = min(SPREAD * HOP * _stretch(world, n) ** 2, FAR) * radius
     return hop if event.closing**2 <= 8.0 * world.cloth.slide * world.cloth.gravity * hop else 0.0
 
 
-def _floor(world: World, event: Event) -> float:
-    """The square of the speed at which things may part under any law: what it lends."""
-    lent = 2.0 * world.cloth.slide * world.cloth.gravity * _hop(world, event)
+def _stretch(world: World, n: int) -> float:
+    """How many times longer than at first a ball of event n hops, if all its legs were hops."""
+    legs = max(leg for _, leg in world.log.begun(n))
+    return min(max(1.0, 1.0 + GROWTH * (legs - PATIENT)), LONGEST)
+
+
+def _floor(world: World, n: int) -> float:
+    """The square of the speed at which things may part in event n under any law: what it lends."""
+    lent = 2.0 * world.cloth.slide * world.cloth.gravity * _hop(world, n)
     return max(world.engine.vmin**2, lent)
 
 
@@ -340,17 +348,18 @@ def _turn(mass: Any, radius: Any, state: list[Any]) -> Any:
     return (mass * ((place.conjugate() * velocity).imag + 0.4 * radius * side)).sum(axis=-1)
 
 
-def _event_faults(world: World, events: Iterable[Event]) -> list[str]:
+def _event_faults(world: World, events: Iterable[int]) -> list[str]:
     """What is wrong within single events; a cluster shares its loss among them."""
     heaviest = max((ball.mass for ball in world.balls), default=0.0)
     found, last = [], -inf
-    for event in events:
+    for n in events:
+        event = world.log[n]
         if event.time < last:
             found.append(f"event at {event.time!r} after one at {last!r}")
         last = event.time
         if not all(map(isfinite, (event.time, event.closing, event.impulse, event.energy_lost))):
             found.append(f"an event is not finite: {event}")
-        bound = BLOWS * 0.5 * heaviest * _floor(world, event)
+        bound = BLOWS * 0.5 * heaviest * _floor(world, n)
         made = -event.energy_lost - bound - ROUNDING * _weight(world, event)
         if made > 0.0 and not _creates(world, {event.kind}):
             found.append(f"an event makes {-event.energy_lost:.3e} J at t = {event.time}")

@@ -4,22 +4,25 @@ Mirrors, half turns, the order of the balls and the hour change signs and places
 and so must agree bit for bit. A quarter turn moves every wall and every rounding, as any other turn
 does: there the difference is multiplied at every hit of a ball or of what is round, so it is
 compared before the second; and nothing touches at first, as rounding would decide which of two
-contacts of one instant comes first. In another order only balls may touch: a cushion and a ball
-touched at one instant are taken as the balls are listed.
+contacts of one instant comes first. Steps that follow from the outcome, as in Mathavan's law, are
+other ones then. In another order only balls may touch: a cushion and a ball touched at one instant
+are taken as the balls are listed, so what comes after such an instant is not compared.
 """
 
 from cmath import rect
 from collections.abc import Callable
-from math import degrees, pi
+from itertools import pairwise
+from math import degrees, inf, pi
 from random import Random
 from typing import NamedTuple
 
-from physics import Ball, Pocket, Post, Wall, World, scenes
+from physics import Ball, Pocket, Post, Wall, World, laws, scenes
 from physics.wall import Obstacle
 
 from .trials import Finding, Trial, push, scatter, world_of
 
 ORDER, HOUR, TURN = 2, 3, 4
+EXACT, INTEGRATED = 1e-9, 3e-5  # m: how far apart a world and its image may be, once turned
 Map = Callable[[complex], complex]
 
 
@@ -104,10 +107,12 @@ def alike(world: World, kind: int, dice: Random) -> Trial:
 
     def drive(world: World) -> None:
         other = _later(world) if kind == HOUR else image(world, of, order)
-        until = second_hit(world.copy()) if kind == TURN else None
+        until = inf
+        if kind in (ORDER, TURN):
+            until = (second_hit if kind == TURN else one_instant)(world.copy())
         for each in (world, other):
-            each.run() if until is None else each.run(until)
-        compare(world, other, of.of, 1e-9 if kind == TURN else 0.0)
+            each.run(until)
+        compare(world, other, of.of, tolerance(world) if kind == TURN else 0.0)
 
     return Trial(world, drive)
 
@@ -131,6 +136,21 @@ def second_hit(world: World) -> float:
         if event.kind == "ball" or (event.kind == "cushion" and event.wall not in lines)
     ]  # fmt: skip
     return 0.5 * (hits[0] + hits[1]) if len(hits) > 1 else 1.0
+
+
+def one_instant(world: World) -> float:
+    """A little before a cushion and something else are first met at one instant; or inf."""
+    world.run()
+    met = [(contact.time, contact.wall is not None) for contact in world.log.brief()]
+    for (time, cushion), (again, wall) in pairwise(met):
+        if time == again and (cushion or wall):
+            return 0.5 * (time + max((t for t, _ in met if t < time), default=0.0))
+    return inf
+
+
+def tolerance(world: World) -> float:
+    """m: as far apart as turned worlds may be."""
+    return INTEGRATED if isinstance(world.cushion_law, laws.MathavanCushion) else EXACT
 
 
 def compare(world: World, other: World, of: Map, tolerance: float) -> None:

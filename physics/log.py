@@ -2,17 +2,17 @@
 
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from math import fsum, inf, sqrt
-from typing import TYPE_CHECKING, Any, NamedTuple, overload
+from math import fsum, inf
+from typing import TYPE_CHECKING, Any, overload
 
 from .away import Departures
 from .checks import finite
 from .event import Contact, Event, State, States
 from .kernel.body import Body
 from .kernel.impulses import WALL
-from .kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, PHASE_NAMES, Kind
-from .kernel.leg import moved, place, risen
+from .kernel.kinds import AIRBORNE, CUSHION, KINDS, PAIR, Kind
 from .kernel.motion import length
+from .legs import Leg, along, kick, toward
 from .wall import Obstacle
 
 if TYPE_CHECKING:
@@ -24,73 +24,7 @@ __all__ = ["Contact", "Event", "Leg", "Log", "State"]
 
 SHOWN = 30  # events, in a notebook
 EVENTS = tuple(kind.name for kind in KINDS)
-
-
-class Leg(NamedTuple):
-    """Motion between two events, with constant acceleration.
-
-    epoch, since: it begins at epoch + since, s.
-    position, velocity, acceleration: as complex numbers, m, m/s, m/s².
-    roll: -i R ω, m/s.
-    side: R ω_z, m/s.
-    phase: as in physics.kernel.motion.
-    radius: of the ball, m.
-    fade: loss of ω_z, rad/s².
-    height, climb: above the cloth, m, and the velocity upward, m/s.
-    fall: deceleration of the climb, m/s².
-    lift: of the centre above the lowest point, m: the radius, or 0 for a disc.
-    """
-
-    epoch: float
-    since: float
-    position: complex
-    velocity: complex
-    acceleration: complex
-    roll: complex
-    side: float
-    phase: int
-    radius: float
-    fade: float
-    height: float = 0.0
-    climb: float = 0.0
-    fall: float = 0.0
-    lift: float = 0.0
-
-    def __repr__(self) -> str:
-        p, v = self.position, self.velocity
-        place, way = f"({p.real:.6g}, {p.imag:.6g}) m", f"({v.real:.4g}, {v.imag:.4g}) m/s"
-        return f"<Leg from {self.time:.6g} s: {PHASE_NAMES[self.phase]}, {place}, {way}>"
-
-    @property
-    def time(self) -> float:
-        """When it begins, seconds."""
-        return self.epoch + self.since
-
-    def after(self, t: float) -> "Leg":
-        """The leg as it is t seconds on: the same motion, begun later."""
-        position, velocity, roll, side = moved(self, t, self.fade)
-        height, climb = risen(self, t)
-        return self._replace(
-            since=self.since + t, position=position, velocity=velocity, roll=roll, side=side,
-            height=height, climb=climb,
-        )  # fmt: skip
-
-    def place(self, t: float) -> complex:
-        """Where it is t seconds on."""
-        return complex(place(self, t))
-
-    def state(self) -> State:
-        """Where it begins and how."""
-        p, v, w, r = self.position, self.velocity, self.roll / self.radius, self.radius
-        spin = 0.0 - w.imag, 0.0 + w.real, 0.0 + self.side / r  # no zero shows a sign
-        height, phase = max(0.0, self.height), PHASE_NAMES[self.phase]
-        return State((p.real, p.imag), (v.real, v.imag), spin, height, self.climb, phase)
-
-    def energy(self, mass: float) -> float:
-        """Kinetic energy of moving and turning, and what gravity has stored, J."""
-        v, w, side = length(self.velocity), length(self.roll), self.side
-        lift = 0.5 * self.climb * self.climb + self.fall * self.height
-        return float(mass * (0.5 * v * v + lift + 0.2 * (w * w + side * side)))
+OTHERS = "wall", "ball"
 
 
 class Log(Sequence[Event]):
@@ -226,22 +160,29 @@ class Log(Sequence[Event]):
     def contacts(self) -> Iterator[Contact]:
         """The hits, and balls that go down or leave the table, in order; ten times as quick as the
         events."""
-        names, walls = self.names, self._walls
-        for time, kind, i, other, away in self.touches():
-            if kind.other == "wall":
-                wall = walls[other].name if other >= 0 else None
-                yield Contact(time, kind.name, (names[i],), wall, away)
-            else:
-                yield Contact(time, kind.name, (names[i], names[other]), None)
+        return (self._contact(k, self._away(k)) for k in self._touched())
 
-    def touches(self) -> Iterator[tuple[float, Kind, int, int, float]]:
-        """The same by number: time, kind, ball, other ball or wall, away."""
-        for k, (epoch, time, number, other, i, *_) in enumerate(self._events):
-            kind = KINDS[number]
-            if kind.other == "wall":
-                yield epoch + time, kind, i, other, self._away(k)
-            elif kind.other == "ball":
-                yield epoch + time, kind, i, other, inf
+    def brief(self) -> Iterator[Contact]:
+        """The same for rules, as batches keep them, quicker again: `away` is 0 where the ball had
+        not left the cushion, and else inf."""
+        return (self._contact(k, inf if self._left(k) else 0.0) for k in self._touched())
+
+    def touches(self) -> Iterator[tuple[float, Kind, int, int, bool]]:
+        """The same by number: time, kind, ball, other ball or wall, had it left the cushion?"""
+        for k in self._touched():
+            epoch, time, number, other, i, *_ = self._events[k]
+            yield epoch + time, KINDS[number], i, other, self._left(k)
+
+    def _touched(self) -> Iterator[int]:
+        return (k for k, event in enumerate(self._events) if KINDS[event[2]].other in OTHERS)
+
+    def _contact(self, index: int, away: float) -> Contact:
+        epoch, time, number, other, i, *_ = self._events[index]
+        kind, names = KINDS[number], self.names
+        if kind.other == "ball":
+            return Contact(epoch + time, kind.name, (names[i], names[other]), None)
+        wall = self._walls[other].name if other >= 0 else None
+        return Contact(epoch + time, kind.name, (names[i],), wall, away)
 
     def __repr__(self) -> str:
         return f"<Log of {len(self)} events>"
@@ -335,7 +276,11 @@ class Log(Sequence[Event]):
 
     def _away(self, index: int) -> float:
         """How far a ball has been from the cushion that it meets in that event."""
-        return self._departures.before(index, self._events, self._legs, self._walls)
+        return self._departures.gap.before(index, self._events, self._legs, self._walls)
+
+    def _left(self, index: int) -> bool:
+        """Has it been more than a millimetre from it?"""
+        return self._departures.left.before(index, self._events, self._legs, self._walls)
 
     def _event(self, index: int) -> Event:
         epoch, time, number, other, i, leg_i, j, leg_j, shared = self._events[index]
@@ -352,14 +297,14 @@ class Log(Sequence[Event]):
         elif kind.other == "ball":
             second = self._turn(j, leg_j, epoch, time)
             names, turns = (self.names[i], self.names[j]), (first, second)
-            normal, rise = _toward(first[1], second[1])
+            normal, rise = toward(first[1], second[1])
             point += first[1].radius * normal
             lost += self._lost(j, second)
-        closing = _along(first[0], normal, rise)
-        push = self._masses[i] * (closing - _along(first[1], normal, rise))
-        impulse = self._masses[i] * _kick(*first) if kind.contact else 0.0
+        closing = along(first[0], normal, rise)
+        push = self._masses[i] * (closing - along(first[1], normal, rise))
+        impulse = self._masses[i] * kick(*first) if kind.contact else 0.0
         if kind.other == "ball":
-            closing -= _along(second[0], normal, rise)
+            closing -= along(second[0], normal, rise)
             if rise and AIRBORNE not in (first[0].phase, second[0].phase):
                 level = length(normal)
                 closing, push = closing / level, push / level
@@ -375,21 +320,3 @@ class Log(Sequence[Event]):
             States(names, (turn[1].state() for turn in turns)),
             closing, impulse, lost, push, self._away(index),
         )  # fmt: skip
-
-
-def _toward(a: Leg, b: Leg) -> tuple[complex, float]:
-    """The direction between two centres: over the table, upward."""
-    line, rise = b.position - a.position, b.height - a.height + (b.lift - a.lift)
-    far = sqrt(line.real * line.real + line.imag * line.imag + rise * rise)
-    return line / far, rise / far
-
-
-def _along(leg: Leg, normal: complex, rise: float) -> float:
-    """The speed in that direction."""
-    return (normal.conjugate() * leg.velocity).real + rise * leg.climb
-
-
-def _kick(before: Leg, after: Leg) -> float:
-    """By how much the velocity has changed, m/s."""
-    level, climb = length(after.velocity - before.velocity), after.climb - before.climb
-    return sqrt(level * level + climb * climb)

@@ -31,7 +31,7 @@ def begun(world: World, match: Match) -> str:
 
 def read(world: World, name: str, *, pool: bool) -> Lag:
     """What the stroke in the log of a world at rest came to."""
-    done, ball = stroke(world.log.contacts(), name), world.ball(name)
+    done, ball = stroke(world.log.brief(), name), world.ball(name)
     gap = ball.position[0] - ball.radius + 0.5 * world.table.length
     return lagged(done, gap, far="east", near="west", pool=pool)
 
@@ -42,6 +42,6 @@ def shot(world: World, name: str, level: Level, rng: Random) -> Shot:
     for _ in range(HALVINGS):
         speed = 0.5 * (low + high)
         after = simulate(world, name, Attempt(0.0, speed).shot())
-        walls = {event.wall for event in after.log.contacts()}
+        walls = {event.wall for event in after.log.brief()}
         low, high = (low, speed) if "west" in walls else (speed, high)
     return level.missed(Attempt(0.0, low), rng, world.ball(name).radius).shot()

@@ -27,7 +27,7 @@ GRAZE = 1e-6  # m by which a ball may seem to be over one that it only touches
 
 def seen(world: World, match: Match) -> Stroke:
     """The stroke in the log of a world at rest, with what the rules of the match ask of the lie."""
-    done = stroke(world.log.contacts(), match.cue)
+    done = stroke(world.log.brief(), match.cue)
     places = {ball.name: ball.position for ball in world.balls if not ball.gone}
     rest = Rest(touching(places, 2 * world.balls[0].radius))
     if isinstance(match.rules, Balkline):
@@ -40,7 +40,7 @@ def jumps(world: World, cue: str) -> tuple[Act, ...]:
     """The cue ball's jump over a ball before it met any; none over the one that it met first, for
     where it came down then is not looked at."""
     log, own = world.log, world.ball(cue)
-    met = next((c for c in log.contacts() if c.kind == "ball" and cue in c.balls), None)
+    met = next((c for c in log.brief() if c.kind == "ball" and cue in c.balls), None)
     until, first = (world.time, ()) if met is None else (met.time, met.balls)
     others = [ball for ball in world.balls if ball.name not in (cue, *first)]
     for leg, after in pairwise(log.legs(cue)):

@@ -203,4 +203,4 @@ class Opponent(Searching):
             after = simulate(self._world, self._turn.cue, aim.shot())
         except RuntimeError:  # a stroke that the engine cannot follow is not played
             return Verdict(NO_BALL, foul=True)
-        return self._rules.verdict(after.log.contacts(), self._turn)
+        return self._rules.verdict(after.log.brief(), self._turn)

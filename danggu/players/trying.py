@@ -80,7 +80,7 @@ class Trials:
         try:
             match = start.match.called(call)
             after = simulate(self._table(start), match.cue, aim.shot())
-            verdict = match.judged(after.log.contacts())
+            verdict = match.judged(after.log.brief())
             return Outcome(verdict, self.judge.after(match, verdict, after), after)
         except (ValueError, RuntimeError):
             return None

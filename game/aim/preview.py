@@ -208,12 +208,12 @@ def _legs(log: Log) -> Legs:
 
 
 def _story(log: Log, legs: Legs, since: float, now: float) -> Story:
-    events = [Mark(c.time - since, c.kind, c.balls, c.wall) for c in log.contacts() if counts(c)]
+    events = [Mark(c.time - since, c.kind, c.balls, c.wall) for c in log.brief() if counts(c)]
     lanes = []
     for name in log.names:
         own = legs[name]
         moved = _moved(own, since, now)
-        spans = tuple((a - since, b - since, _pace(g, a, b)) for g, a, b in moved)
+        spans = tuple((a - since, b - since, far / (b - a)) for _, a, b, far in moved)
         lanes.append(Travel(name, spans))
         rests = (leg.time for leg in own[1:] if leg.velocity == leg.roll == leg.acceleration == 0j)
         events += [Mark(time - since, "rest", (name,)) for time in rests]
@@ -242,25 +242,22 @@ def path(log: Log, name: str, since: float, until: float) -> tuple[Place, ...]:
 
 def _way(legs: list[Leg], since: float, until: float) -> tuple[Place, ...]:
     moved = _moved(legs, since, until)
-    return tuple(p for leg, a, b in moved for p in _points(leg, a - leg.time, b - leg.time))
+    return tuple(p for leg, a, b, _ in moved for p in _points(leg, a - leg.time, b - leg.time))
 
 
-def _moved(legs: list[Leg], since: float, until: float) -> list[tuple[Leg, float, float]]:
-    """The legs on which a ball got anywhere, each with the times between which it was on it."""
+def _moved(legs: list[Leg], since: float, until: float) -> list[tuple[Leg, float, float, float]]:
+    """The legs on which a ball got anywhere, each with the times between which it was on it, and
+    how far it got."""
     ends = [leg.time for leg in legs[1:]] + [until] * bool(legs)
     pairs = zip(legs, ends, strict=True)
     spans = ((leg, max(leg.time, since), min(end, until)) for leg, end in pairs)
-    return [(leg, a, b) for leg, a, b in spans if b > a and _far(leg, a, b)]
+    known = ((leg, a, b, _far(leg, a, b)) for leg, a, b in spans if b > a)
+    return [span for span in known if span[3] > MOVED]
 
 
-def _far(leg: Leg, a: float, b: float) -> bool:
+def _far(leg: Leg, a: float, b: float) -> float:
     start = leg.time
-    return abs(leg.place(b - start) - leg.place(a - start)) > MOVED
-
-
-def _pace(leg: Leg, a: float, b: float) -> float:
-    start = leg.time
-    return abs(leg.place(b - start) - leg.place(a - start)) / (b - a)
+    return abs(leg.place(b - start) - leg.place(a - start))
 
 
 def _points(leg: Leg, a: float, b: float) -> list[Place]:

@@ -48,7 +48,7 @@ def off(shot: Shot, rng: Random) -> Shot:
 def plan(log: Log, cue: str) -> list[tuple[str, str]]:
     """What the cue ball meets, one after the other: kind, and name of the ball or the wall."""
     met: list[tuple[str, str]] = []
-    for contact in log.contacts():
+    for contact in log.brief():
         if cue in contact.balls and counts(contact):
             other = [name for name in contact.balls if name != cue]
             met.append((contact.kind, str(contact.wall) if not other else other[0]))
@@ -79,7 +79,7 @@ def sample(
 
 def _parting(after: World, cue: str, wanted: Sequence[tuple[str, str]]) -> float:
     """When the path meets something else than planned, or need not be followed any more."""
-    own = [met for met in after.log.contacts() if cue in met.balls and counts(met)]
+    own = [met for met in after.log.brief() if cue in met.balls and counts(met)]
     cushions, balls = 0, set()
     for contact, met, planned in zip(own, plan(after.log, cue), wanted, strict=False):
         cushions += met[0] == "cushion"

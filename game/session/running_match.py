@@ -247,18 +247,18 @@ class Contest:
         stroke = self._before
         if stroke is None or stroke.lag is not None:
             return None
-        so_far = stroke.match.judged(c for c in log.contacts() if c.time <= now)
+        so_far = stroke.match.judged(c for c in log.brief() if c.time <= now)
         return so_far if stroke.match.rules.settles(so_far) else None
 
     def scores(self, log: Log) -> bool:
         """Would the coming stroke score if this were its log?"""
-        return self.lag is None and self.match.judged(log.contacts()).made
+        return self.lag is None and self.match.judged(log.brief()).made
 
     def outcome(self, log: Log) -> Outcome | None:
         """When the coming stroke would be settled if this were its log, and whether by a foul."""
         if self.lag is not None:
             return None
-        verdict = self.match.judged(log.contacts())
+        verdict = self.match.judged(log.brief())
         when = verdict.facts.decided if self.match.rules.settles(verdict) else None
         return None if when is None else Outcome(when, verdict.foul)
 

@@ -350,7 +350,7 @@ class Session:
         """How many balls and cushions the cue ball has met by the moment on show, as rules do."""
         key = (self.stamp, self.began, len(self.world.log), self.timeline.at)
         if key != self._counts[0]:
-            done = stroke(self.world.log.contacts(), self.shooter).until(self.timeline.moment)
+            done = stroke(self.world.log.brief(), self.shooter).until(self.timeline.moment)
             self._counts = key, (len(done.hits()), done.cushions())
         return self._counts[1]
 

@@ -13,7 +13,6 @@ from physics.ball import Ball
 from physics.engines.exact import EventDriven
 from physics.kernel import body, calendar
 from physics.kernel.body import Kept, Notes, Way
-from physics.kernel.gap import LEFT
 from physics.laws import CustomRule
 from physics.shot import Shot
 from physics.simulation import simulate
@@ -116,8 +115,8 @@ class OneByOne(NamedTuple):
     def _keep(self, after: World, line: Any) -> int:
         """Write the contacts of a shot into the line; returns for how many there was no room."""
         touches = list(after.log.touches())
-        for k, (time, kind, i, other, away) in enumerate(touches[: self.contacts]):
-            line[k] = KIND[kind.name], away <= LEFT, i, other, time - self.world.time
+        for k, (time, kind, i, other, left) in enumerate(touches[: self.contacts]):
+            line[k] = KIND[kind.name], not left, i, other, time - self.world.time
         return max(0, len(touches) - self.contacts)
 
 

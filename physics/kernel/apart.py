@@ -1,6 +1,6 @@
 """How contacts that last are pushed apart: pushes, their friction, and no energy unless lent."""
 
-from .impulses import PUSH, RUB, WALL, ask, slip_between, solve
+from .impulses import FAILS, PUSH, RUB, WALL, ask, parting, slip_between, solve, speed
 from .laws import (
     CUSTOM_BALL,
     SMOOTH_BALL,
@@ -28,7 +28,18 @@ def hop_apart(members, chosen, scene):
     keep(members, balls, ties)
     if not press_apart(chosen, balls, ties, scene.ball_rule, scene.rules, scene.cushion_rule):
         return False
-    return energy(members, balls, ties) <= (1.0 + SLIGHT) * most
+    return opened(chosen, balls, ties) and energy(members, balls, ties) <= (1.0 + SLIGHT) * most
+
+
+@kernel
+def opened(chosen, balls, ties):
+    """Do they part as they were asked to?  Huge pushes that cancel leave only their rounding."""
+    fastest = speed(chosen, balls, ties)
+    for k in range(chosen):
+        tie = ties.contacts[ties.chosen[k]]
+        if parting(tie, balls) < tie.target - FAILS * fastest:
+            return False
+    return True
 
 
 @kernel

@@ -30,15 +30,16 @@ def energy(members, balls, ties):
 
 @kernel
 def loan(chosen, balls, ties):
-    """The most that hops may add, J: a row that hops has every ball as fast as all before it, and
-    what closes pushes the others."""
+    """The most that hops may add, J: a row that hops has every ball as fast as all before it.
+
+    What they close with does not count, as it pushes those on that open already.
+    """
     lent = 0.0
     for k in range(chosen):
         tie = ties.contacts[ties.chosen[k]]
-        closing = parting(tie, balls)
-        if tie.target > abs(closing):
-            spare = tie.target * tie.target - closing * closing
-            lent += max(balls[tie.first].mass, balls[other(tie)].mass) * spare
+        if tie.target > 0.0:
+            mass = max(balls[tie.first].mass, balls[other(tie)].mass)
+            lent += mass * tie.target * tie.target
     return 2.0 * chosen * lent
 
 
@@ -120,6 +121,8 @@ def part(contacts, least, balls, ties):
     for c in range(contacts):
         tie = ties.contacts[c]
         tie.total = tie.size * tie.impulse.real
+        if parting(tie, balls) < 0.0:
+            return False
     return True
 
 

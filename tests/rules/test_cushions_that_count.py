@@ -1,14 +1,14 @@
 """Which contacts with a cushion count: by how far the ball had left it, and never by when."""
 
 import json
-from math import atan2, ceil, degrees, dist
+from math import atan2, ceil, degrees, dist, inf
 from pathlib import Path
 from random import Random
 
 import pytest
 
 from danggu.rules.carom import Carom
-from danggu.rules.stroke import LEFT, stroke
+from danggu.rules.stroke import LEFT, counts, stroke
 from danggu.rules.verdict import Turn, Verdict
 from game.session.action import Action
 from game.session.commands import perform
@@ -130,6 +130,19 @@ def test_contacts_and_events_say_the_same_also_after_the_log_was_cleared():
         assert [met.away for met in contacts] == [event.away for event in events]
         assert contacts[0].away > 0.1
         world.log.clear()
+
+
+def test_what_rules_read_in_brief_says_the_same_of_what_counts():
+    dice, pressed = Random("brief"), 0
+    for _ in range(200):
+        world, shot = near_rails(dice)
+        log = simulate(world, "white", shot).log
+        known = [
+            contact._replace(away=inf if counts(contact) else 0.0) for contact in log.contacts()
+        ]
+        assert [*log.brief()] == known
+        pressed += any(not counts(met) for met in known)
+    assert pressed > 20
 
 
 # -- against a referee that reads no event

@@ -1,13 +1,14 @@
 """A scene that once broke the engine, from a data file of tests/cases.
 
-Numbers are hexadecimal floats, so that no bit is lost, or as people write them.
+Numbers are hexadecimal floats, so that no bit is lost, or as people write them. Worlds with more
+than lines in them are as `store.save` writes worlds.
 """
 
 import json
 from pathlib import Path
 from typing import Any
 
-from physics import Ball, Cloth, EventDriven, Wall, World, laws
+from physics import Ball, Cloth, EventDriven, Wall, World, laws, store
 
 
 def _floats(numbers: list[Any]) -> tuple[float, ...]:
@@ -21,6 +22,10 @@ def _float(x: Any) -> float:
 def load(path: Path) -> tuple[World, dict[str, Any]]:
     """(the world, the case with why it is kept, until when it runs and what must then hold)"""
     case: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    if "world" in case:
+        world = store.restore(case["world"])
+        assert isinstance(world, World)
+        return world, case
     (ball_law, ball_numbers), (cushion_law, cushion_numbers) = case["ball_law"], case["cushion_law"]
     world = World(
         Cloth(**case["cloth"]),
