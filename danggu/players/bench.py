@@ -1,0 +1,94 @@
+"""A bench for strokes: any number of them from one position or from many, judged in arrays."""
+
+from __future__ import annotations
+
+import importlib.util
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from danggu.rules.verdict import Rules, Turn
+from physics import World, simulate_many
+
+KEPT = 40  # contacts of a stroke: enough to decide it
+
+
+class Tried(NamedTuple):
+    """What came of some strokes, (strokes,) each.
+
+    made: whether it scored.
+    gain: points, and 1 for a stroke that scores without any.
+    places: (strokes, balls, 2) m, where the balls came to rest.
+    paths: of each that scored, where they were asked for, what the cue ball met.
+    """
+
+    made: Any
+    gain: Any
+    places: Any
+    paths: list[tuple[str, ...]]
+
+
+class Bench:
+    """Plays strokes of one turn.
+
+    world: as it lies before the stroke; a copy, at rest.
+    played: how many strokes have been played.
+    """
+
+    def __init__(self, world: World, rules: Rules, turn: Turn, compiled: bool | None) -> None:
+        """ValueError if there is no ball to play with."""
+        self.world, self.rules, self.turn = world.copy(), rules, turn
+        names = [ball.name for ball in world.balls if not ball.gone]
+        if turn.cue not in names:
+            raise ValueError(f"there is no ball {turn.cue!r} to play with")
+        self.names = tuple(ball.name for ball in world.balls)
+        self.radius = world.ball(turn.cue).radius
+        self.compiled = self._quick() if compiled is None else compiled
+        self.played = 0
+
+    @property
+    def places(self) -> Any:
+        """(balls, 2) m: where the balls lie; NaN for one that is not on the table."""
+        gone = (np.nan, np.nan)
+        return np.array([gone if b.gone else b.position for b in self.world.balls])
+
+    def play(self, shots: Any, positions: Any = None, *, paths: bool = False) -> Tried:
+        """Play these, (strokes, 6), from where the balls lie, or from (strokes, balls, 2) m."""
+        self.played += len(shots)
+        try:
+            outcomes = simulate_many(
+                self.world, self.turn.cue, shots, positions=positions, contacts=KEPT,
+                compiled=self.compiled,
+            )  # fmt: skip
+        except RuntimeError:  # one of them is a stroke that the engine cannot follow
+            return self._halved(shots, positions, paths)
+        found = self.rules.verdicts(outcomes, self.turn)
+        made = found.made & found.certain
+        gain = np.where(made, np.maximum(found.points, 1), np.minimum(found.points, 0))
+        ways = [self._path(outcomes.log(int(k))) for k in np.flatnonzero(made)] if paths else []
+        return Tried(made, gain, outcomes.positions, ways)
+
+    def _halved(self, shots: Any, positions: Any, paths: bool) -> Tried:
+        self.played -= len(shots)
+        if len(shots) == 1:
+            return Tried(np.zeros(1, bool), np.zeros(1), self.places[None] * np.nan, [])
+        half = len(shots) // 2
+        parts = [
+            self.play(shots[cut], None if positions is None else positions[cut], paths=paths)
+            for cut in (slice(0, half), slice(half, None))
+        ]
+        made, gain, places = (np.concatenate([part[k] for part in parts]) for k in range(3))
+        return Tried(made, gain, places, parts[0].paths + parts[1].paths)
+
+    def _path(self, log: Any) -> tuple[str, ...]:
+        return self.rules.verdict(log, self.turn).facts.path
+
+    def _quick(self) -> bool | None:
+        """Whether the compiled kernel plays this world: if numba is there and all its laws can."""
+        if importlib.util.find_spec("numba") is None:
+            return False
+        try:
+            simulate_many(self.world, self.turn.cue, speed=1.0, compiled=True)
+        except (ValueError, RuntimeError):
+            return None
+        return True
