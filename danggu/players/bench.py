@@ -32,6 +32,7 @@ class Bench:
     """Plays strokes of one turn.
 
     world: as it lies before the stroke; a copy, at rest.
+    own, on: the number of the cue ball, and of the balls that may be hit first.
     played: how many strokes have been played.
     """
 
@@ -42,6 +43,8 @@ class Bench:
         if turn.cue not in names:
             raise ValueError(f"there is no ball {turn.cue!r} to play with")
         self.names = tuple(ball.name for ball in world.balls)
+        self.own = self.names.index(turn.cue)
+        self.on = [k for k, name in enumerate(self.names) if name in rules.targets(turn)]
         self.radius = world.ball(turn.cue).radius
         self.compiled = self._quick() if compiled is None else compiled
         self.played = 0

@@ -6,6 +6,7 @@ best stroke of each path is measured on fresh errors.  docs/players.md says how 
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import inf
 from typing import Any
 
@@ -14,25 +15,32 @@ import numpy as np
 from danggu.rules.verdict import Rules, Turn
 from physics import World, simulate
 
+from .ahead import Ahead, looked
 from .bench import Bench
-from .candidates import CUSHIONS, DIRECT
+from .candidates import CUSHIONS, DIRECT, Style
 from .draws import draws
 from .errors import SPIN, missed
-from .knockout import Field, knockout
+from .knockout import Field, first_of_each, knockout
 from .levels import Attempt, Level
 from .opponent import LEAST
 from .solution import Solution, Tip
-from .tolerances import thickness, tolerance
+from .tolerances import thickness, tolerance, tried
 
-COMPILED, INTERPRETED = 60_000, 3_000  # strokes tried: a third of a second, and a whole one
-DRAWN, RACED = 0.4, 0.4  # parts of the budget; the rest measures
-ENOUGH = 400  # scoring aims after which no more are drawn
+COMPILED, INTERPRETED = 160_000, 3_000  # strokes tried: less than a second, and a second or two
+AHEAD = 40_000  # strokes from which on positions are looked at
+# Parts of the budget for drawing aims, for the knock-out and for positions, below that number and
+# from it on; the rest measures.
+ONE, TWO = (0.4, 0.45, 0.0), (0.12, 0.15, 0.63)
+ENOUGH = 600  # scoring aims after which no more are drawn
+PATHS = 8  # in the knock-out, at least; and twice as many strokes that are looked at
+MEASURED = 2_000  # fresh copies of a stroke at most
 PIECE = 4096  # aims that are drawn at once
+FURTHER = 0.5  # radii: the tip's distance from the centre, to which the best strokes go
 
 
 def solutions(
     world: World, rules: Rules, turn: Turn, level: Level, budget: int | None = None, *,
-    seed: int = 0, most: int = 8, compiled: bool | None = None,
+    seed: int = 0, most: int = 8, plies: int = 2, compiled: bool | None = None,
 ) -> list[Solution]:  # fmt: skip
     """The ways to score that a search finds, the one that it would play first; [] if it finds none.
 
@@ -41,53 +49,77 @@ def solutions(
     world: with the balls at rest, all those of the game; it stays as it is.
     turn: whose stroke it is; `Match.turn` has it.
     level: how well the stroke is carried out.
-    budget: strokes tried at most; None: 60 000 if numba is there (a third of a second), else 3 000
-    (a second).
+    budget: strokes tried, about; None: 160 000 if numba is there (under a second), else 3 000 (a
+    second or two).
     seed: the outcome depends on it and the other arguments alone, not on time.
     most: ways that are returned at most.
+    plies: 2, the positions that a stroke leaves count too, if the budget is 40 000 at least; 1,
+    they do not.
     compiled: by the compiled kernel? None: where numba is installed.
     ValueError if there is no ball to play with.
     """
     bench = Bench(world, rules, turn, compiled)
-    total = budget or (COMPILED if bench.compiled else INTERPRETED)
-    rng = np.random.default_rng(seed)
-    found = _drawn(bench, int(DRAWN * total), rng)
+    total, rng = (
+        budget or (COMPILED if bench.compiled else INTERPRETED),
+        np.random.default_rng(seed),
+    )
+    deep = total >= AHEAD
+    drawn, raced, looks = (int(part * total) for part in (TWO if deep else ONE))
+    found = _drawn(bench, drawn, rng)
     if not len(found.shots):
         return []
-    field = knockout(bench, found, level.or_more(LEAST), int(RACED * total), most, rng)
-    copies = max(1, (total - bench.played) // len(field.shots))
-    return [_measured(bench, field.take([k]), level, copies, rng) for k in range(len(field.shots))]
+    error = level.or_more(LEAST)
+    running = Ahead(knockout(bench, found, error, raced, max(most, PATHS), rng))
+    if deep and plies > 1 and not _last(bench, running.field):
+        score = replace(turn, opening=False, score=turn.score + 1)
+        then = Bench(world, rules, score, bench.compiled)
+        running = looked(running.field, bench, then, _style(then), error, looks, rng)
+    rows = first_of_each(running.field.paths, np.argsort(-running.worth, kind="stable").tolist())[
+        :most
+    ]
+    copies = max(1, min(MEASURED, (total - drawn - raced - looks) // len(rows)))
+    return [_measured(bench, running, row, level, copies, rng) for row in rows]
+
+
+def _style(bench: Bench) -> Style:
+    style = CUSHIONS if bench.rules.needs(bench.turn) else DIRECT
+    return replace(style, tip=FURTHER)
 
 
 def _drawn(bench: Bench, count: int, rng: np.random.Generator) -> Field:
     """Aims that score, as they are meant."""
-    style = CUSHIONS if bench.rules.needs(bench.turn) else DIRECT
-    own = [bench.names.index(bench.turn.cue)]
-    on = [k for k, b in enumerate(bench.names) if b in bench.rules.targets(bench.turn)]
-    places = bench.places[None]
+    places, style = bench.places[None], _style(bench)
     found, end = Field.of(np.empty((0, 6)), []), bench.played + count
     while bench.played < end and len(found.shots) < ENOUGH:
         n = min(PIECE, end - bench.played)
-        shots = draws(places[:, own[0]], places[:, on], bench.radius, style, n, rng)[0]
+        shots = draws(places[:, bench.own], places[:, bench.on], bench.radius, style, n, rng)[0]
         tried = bench.play(shots, paths=True)
         found = found.joined(Field.of(shots[tried.made], tried.paths))
     return found.take(slice(0, ENOUGH))
 
 
+def _last(bench: Bench, field: Field) -> bool:
+    """Whether the best of them wins: what it leaves does not matter."""
+    log = simulate(bench.world, bench.turn.cue, attempt(field.shots[0]).shot()).log
+    return bench.rules.verdict(log.contacts(), bench.turn).won
+
+
 def _measured(
-    bench: Bench, one: Field, level: Level, copies: int, rng: np.random.Generator
+    bench: Bench, running: Ahead, row: int, level: Level, copies: int, rng: np.random.Generator
 ) -> Solution:
     """What is known of a stroke, its share on fresh errors."""
-    tried = bench.play(missed(one.shots, level, copies, bench.radius, rng))
-    aim = attempt(one.shots[0])
-    cue, world = bench.turn.cue, bench.world
+    shot, after = running.field.shots[row], running.after[row]
+    copied = bench.play(missed(shot[None], level, copies, bench.radius, rng))
+    aim, cue, world = attempt(shot), bench.turn.cue, bench.world
     log = simulate(world, cue, aim.shot()).log
     decided = bench.rules.verdict(log.contacts(), bench.turn).facts.decided
+    linear = tolerance(world, cue, aim, decided or inf)
     return Solution(
-        path=one.paths[0], aim=aim, share=float(tried.made.mean()), copies=copies,
-        gain=float(tried.gain.mean()), after=None, worth=float(one.worth[0]),
-        thickness=thickness(world, cue, aim), tip=Tip.of(aim.right, aim.up, bench.radius),
-        tolerance=tolerance(world, cue, aim, decided or inf),
+        path=running.field.paths[row], aim=aim, share=float(copied.made.mean()), copies=copies,
+        gain=float(copied.gain.mean()), after=None if np.isnan(after) else float(after),
+        worth=float(running.worth[row]), thickness=thickness(world, cue, aim),
+        tip=Tip.of(aim.right, aim.up, bench.radius),
+        tolerance=linear and tried(bench, aim, linear),
     )  # fmt: skip
 
 

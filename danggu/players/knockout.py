@@ -50,8 +50,9 @@ class Field(NamedTuple):
 def knockout(
     bench: Bench, field: Field, level: Level, budget: int, paths: int, rng: np.random.Generator
 ) -> Field:
-    """The best stroke of each of the best paths, as many as `paths` at most, the best first."""
-    share, sizes = budget // ROUNDS, np.geomspace(len(field.shots), min(paths, 8), ROUNDS + 1)
+    """The best strokes, twice as many as `paths`, the best first; those of the best paths among
+    them."""
+    share, sizes = budget // ROUNDS, np.geomspace(len(field.shots), 2 * paths, ROUNDS + 1)
     for size in sizes[1:].round().astype(int):
         copies = max(FEWEST, share // (2 * len(field.shots)))
         field, centres = _round(bench, field, level, copies, rng)
@@ -60,23 +61,23 @@ def knockout(
         if len(centres.shots):  # as many copies of the newcomers as of the others
             centres, _ = _round(bench, centres, level, done, rng)
             field = best(field.joined(centres), max(size, paths), paths)
-    return best(field, paths, paths, single=True)
+    return best(field, 2 * paths, paths)
 
 
-def best(field: Field, keep: int, paths: int, *, single: bool = False) -> Field:
-    """The best `keep` strokes, the best first; the best of each of the best paths among them.
+def best(field: Field, keep: int, paths: int) -> Field:
+    """The best `keep` strokes, the best first; the best of each of the best paths among them."""
+    order = np.argsort(-field.worth, kind="stable").tolist()
+    chosen = first_of_each(field.paths, order)[:paths]
+    chosen += [row for row in order if row not in set(chosen)]
+    return field.take(sorted(chosen[:keep], key=lambda row: -field.worth[row]))
 
-    single: only those.
-    """
-    order = np.argsort(-field.worth, kind="stable")
-    firsts: dict[tuple[str, ...], int] = {}
+
+def first_of_each(paths: Any, order: list[int]) -> list[int]:
+    """The first of each path, in that order."""
+    found: dict[tuple[str, ...], int] = {}
     for row in order:
-        firsts.setdefault(field.paths[row], row)
-    chosen = [*firsts.values()][:paths]
-    if not single:
-        chosen += [row for row in order[:keep] if row not in set(chosen)]
-    chosen = chosen[: keep if not single else paths]
-    return field.take(sorted(chosen, key=lambda row: -field.worth[row]))
+        found.setdefault(paths[row], row)
+    return [*found.values()]
 
 
 def _round(
@@ -90,14 +91,14 @@ def _round(
     after = field._replace(copies=field.copies + copies, gain=gain)
     rows = np.argsort(-after.worth, kind="stable")[: max(1, len(made) // 4)]
     rows = rows[made[rows].sum(axis=1) > 1]
-    middles = _middles(shots.reshape(*made.shape, 6)[rows], made[rows])
+    centres = middles(shots.reshape(*made.shape, 6)[rows], made[rows])
     if not len(rows):
         return after, after.take(rows)
-    found = bench.play(middles, paths=True)
-    return after, Field.of(middles[found.made], found.paths)
+    found = bench.play(centres, paths=True)
+    return after, Field.of(centres[found.made], found.paths)
 
 
-def _middles(shots: Any, made: Any) -> Any:
+def middles(shots: Any, made: Any) -> Any:
     """(strokes, 6): the middle of the copies of each that scored: farther from where it fails."""
     weights = made / made.sum(axis=1, keepdims=True)
     numbers = shots / np.where([False, False, True, False, True, False], shots[..., :1], 1.0)

@@ -19,8 +19,8 @@ RANGE = tuple[float, float]
 class Tolerance:
     """How far each number of the shot may be off, alone, until a ball of the path is missed.
 
-    To first order, by the exact derivatives at the shot itself; what balls meet besides the path
-    is not looked at.  Each is (lowest, highest), one below and one above 0, or infinite.
+    By the exact derivatives at the shot itself, to first order; shorter where strokes that are off
+    by parts of that do not score.  Each is (lowest, highest), not above and not below 0.
 
     angle: degrees.
     speed: share of the speed.

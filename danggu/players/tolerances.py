@@ -5,15 +5,20 @@ from __future__ import annotations
 from math import inf
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from danggu.rules.stroke import TIE
 from physics import World, sensitivity, simulate
 
+from .bench import Bench
 from .errors import SPIN
 from .levels import Attempt
 from .solution import Thickness, Tolerance
 
 NUMBERS = ("speed", "angle", "follow", "side")
 MIDDLE = 0.01  # of the width of two radii: a hit that near the middle is full
+STEPS = 16  # strokes of which each is off by more than the one before
+REACH = np.array([[20.0], [0.5], [0.3], [0.3]])  # of them, where the range is longer
 FARTHEST = (180.0, 1.0, 1.0, 1.0)  # degrees, share, radii: an input that may go so far has no limit
 Limit = tuple[float, Any, float, float]  # a value, its slopes, and between what it has to stay
 
@@ -89,6 +94,28 @@ def tolerance(world: World, cue: str, aim: Attempt, until: float) -> Tolerance |
             for k, most in enumerate(FARTHEST)
         )
     )
+
+
+def tried(bench: Bench, aim: Attempt, found: Tolerance) -> Tolerance:
+    """The tolerance as far as strokes in fact score that are off by parts of it: to first order
+    alone, kisses are overlooked and long ranges come out too long."""
+    ends = np.array([found.angle, found.speed, found.right, found.up])
+    most = np.clip(ends, -REACH, REACH)
+    offs = np.zeros((4, 2, STEPS, 4))
+    for k in range(4):
+        offs[k, :, :, k] = most[k][:, None] * np.arange(1, STEPS + 1) / STEPS
+    made = bench.play(_off(aim, offs.reshape(-1, 4))).made.reshape(4, 2, STEPS)
+    reached = np.cumprod(made, axis=2).sum(axis=2)
+    ends = np.where(reached == STEPS, ends, most * reached / STEPS)
+    return Tolerance(*((float(low), float(high)) for low, high in ends))
+
+
+def _off(aim: Attempt, offs: Any) -> Any:
+    """(strokes, 6): shots that are off by these, (strokes, 4), as in a Tolerance."""
+    angle, speed = aim.angle + offs[:, 0], aim.speed * (1.0 + offs[:, 1])
+    spin, none = SPIN * speed, np.zeros(len(offs))
+    up, right = spin * (aim.up + offs[:, 3]), spin * (aim.right + offs[:, 2])
+    return np.stack([speed, angle, up, none, right, none], axis=1)
 
 
 def _met(event: Any, cue: str, slopes: Any) -> Meeting:

@@ -4,10 +4,17 @@ import pickle
 from dataclasses import replace
 from math import asin, degrees, inf
 
+import numpy as np
 import pytest
 
 from danggu.players import Attempt, Solution, solutions
+from danggu.players.ahead import Ahead
+from danggu.players.bench import Bench
+from danggu.players.candidates import DIRECT
+from danggu.players.draws import spread
+from danggu.players.knockout import Field
 from danggu.players.levels import EXPERT, PERFECT, Level
+from danggu.players.outlook import outlook
 from danggu.players.solution import Tip
 from danggu.players.tolerances import thickness, tolerance
 from danggu.rules import GAMES, Turn
@@ -61,6 +68,55 @@ def test_interpreted_it_finds_the_same() -> None:
     interpreted = solutions(world, rules, Turn(), EXPERT, 300, compiled=False)
     assert interpreted == found("four-ball", budget=300)
     assert interpreted
+
+
+def test_a_large_budget_looks_at_the_positions_that_are_left() -> None:
+    assert {way.after for way in found("three-cushion")} == {None}
+    ways = found("four-ball", budget=40_000, most=2)
+    assert len(ways) == 2
+    for way in ways:
+        assert way.after is not None
+        assert 0.0 < way.after < 1.0
+        assert way.worth > way.gain
+    one = found("four-ball", budget=40_000, most=1, plies=1)
+    assert one[0].after is None
+
+
+def test_what_a_winning_stroke_leaves_is_not_looked_at() -> None:
+    turn = Turn(score=9, target=10)
+    world, rules = laid("three-cushion"), GAMES["three-cushion"]()
+    ways = solutions(world, rules, turn, EXPERT, 40_000, most=1, compiled=True)
+    assert ways[0].after is None
+
+
+def test_the_outlook_is_better_where_balls_lie_well() -> None:
+    bench = Bench(laid("straight-rail"), GAMES["straight-rail"](), Turn(), True)
+    near = [[-0.5, 0.0], [-0.3, 0.05], [-0.3, -0.1]]
+    far = [[-1.3, 0.6], [1.3, 0.6], [1.3, -0.6]]
+    rng = np.random.default_rng(1)
+    good, bad = outlook(bench, np.array([near, far]), DIRECT, EXPERT, rng)
+    assert good > 0.9
+    assert bad < 0.6
+
+
+def test_even_numbers_fill_each_cell_of_a_grid() -> None:
+    even = spread(1, 4000, np.random.default_rng(1))[0]
+    for first, second in ((0, 2), (3, 4), (4, 5)):
+        cells = (even[:, first] * 10).astype(int) * 10 + (even[:, second] * 10).astype(int)
+        counts = np.bincount(cells, minlength=100)
+        assert counts.min() >= 25  # 40 on average; at random one in two hundred would be below
+        assert counts.max() <= 55
+
+
+def test_few_positions_are_trusted_less_than_many() -> None:
+    looked = Ahead(Field.of(np.zeros((3, 6)), [("a",), ("b",), ("c",)]))
+    looked.count[:] = 4, 400, 400
+    looked.total[:] = 0.9 * looked.count[0], 0.6 * 400, 0.4 * 400
+    looked.square[:] = looked.total * looked.total / looked.count + 0.04 * looked.count
+    after = looked.after
+    mean = looked.total.sum() / looked.count.sum()
+    assert abs(after - mean)[0] < 0.9 * (0.9 - mean)
+    assert after[1:] == pytest.approx([0.6, 0.4], abs=0.01)
 
 
 def test_a_search_leaves_the_table_as_it_is_and_spends_no_more_than_its_budget() -> None:
