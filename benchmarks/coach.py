@@ -24,7 +24,7 @@ COPIES = 400  # of a stroke, to see whether its share holds
 GAP = 1e-4  # m, between balls that are laid at random
 
 
-class Table:
+class Baize:
     """A table of a game, on which balls are laid."""
 
     def __init__(self, game: str) -> None:
@@ -66,7 +66,7 @@ def row(way: Solution) -> Any:
     return np.array([[shot.speed, shot.angle, shot.follow, 0.0, shot.side, 0.0]])
 
 
-class Sitting(NamedTuple):
+class Spell(NamedTuple):
     """What was played.
 
     innings, points, strokes: how many.
@@ -87,9 +87,9 @@ class Sitting(NamedTuple):
     seconds: float
 
 
-def sat(game: str, level: Level, innings: int, strokes: int, **search: Any) -> Sitting:
+def sat(game: str, level: Level, innings: int, strokes: int, **search: Any) -> Spell:
     """Innings of one player, each from a position at random."""
-    table, runs, shares = Table(game), [], []
+    table, runs, shares = Baize(game), [], []
     radius, start = table.world.table.radius, process_time()
     while len(runs) < innings and len(shares) < strokes:
         rng = np.random.default_rng([1, len(runs)])
@@ -111,11 +111,11 @@ def sat(game: str, level: Level, innings: int, strokes: int, **search: Any) -> S
     return summed(runs, shares, process_time() - start)
 
 
-def summed(runs: list[int], shares: list[float], spent: float) -> Sitting:
+def summed(runs: list[int], shares: list[float], spent: float) -> Spell:
     share, n = float(np.mean(shares)), len(shares)
     error = float(np.std(shares)) / sqrt(n)
     miss = max(1.0 - share, 1e-9)
-    return Sitting(
+    return Spell(
         len(runs), sum(runs), n, max(runs), share, share / miss, error / miss**2, spent / n
     )
 
@@ -143,7 +143,7 @@ class Held(NamedTuple):
 
 def replayed(number: int, budget: int | None) -> Held | None:
     """The first way of an expert at three-cushion position `number`; None if none was found."""
-    table, rng = Table("three-cushion"), np.random.default_rng([2, number])
+    table, rng = Baize("three-cushion"), np.random.default_rng([2, number])
     places, start = table.random(rng), process_time()
     world = table.laid(places)
     ways = solutions(world, table.rules, Turn(), EXPERT, budget, seed=number, most=1)

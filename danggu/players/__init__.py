@@ -5,11 +5,11 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .coach import solutions
     from .levels import LEVELS, Attempt, Level
     from .opponent import Intent, Opponent
     from .positions import Position, opening
     from .solution import Solution, Thickness, Tip, Tolerance
+    from .ways import solutions
 
 __all__ = [
     "LEVELS", "Attempt", "Intent", "Level", "Opponent", "Position", "Solution", "Thickness", "Tip",
@@ -20,7 +20,7 @@ HOMES = {
     "LEVELS": "levels", "Attempt": "levels", "Level": "levels", "Intent": "opponent",
     "Opponent": "opponent", "Position": "positions", "opening": "positions",
     "Solution": "solution", "Thickness": "solution", "Tip": "solution", "Tolerance": "solution",
-    "solutions": "coach",
+    "solutions": "ways",
 }  # fmt: skip
 
 
