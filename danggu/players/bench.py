@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import importlib.util
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from danggu.rules.verdict import Rules, Turn
-from physics import World, simulate_many
+from danggu.rules.strokes import POCKET
+from danggu.rules.verdict import Rules, Turn, Verdict
+from physics import Outcomes, World, simulate_many
 
 KEPT = 40  # contacts of a stroke: enough to decide it
 
@@ -33,10 +35,16 @@ class Bench:
 
     world: as it lies before the stroke; a copy, at rest.
     own, on: the number of the cue ball, and of the balls that may be hit first.
+    kept: how many contacts of a stroke are kept.
+    pot: the ball and the pocket that it has to drop into to score, None for any way to score.
     played: how many strokes have been played.
     """
 
-    def __init__(self, world: World, rules: Rules, turn: Turn, compiled: bool | None) -> None:
+    pot: tuple[str, str] | None = None
+
+    def __init__(
+        self, world: World, rules: Rules, turn: Turn, compiled: bool | None, kept: int = KEPT
+    ) -> None:
         """ValueError if there is no ball to play with."""
         self.world, self.rules, self.turn = world.copy(), rules, turn
         names = [ball.name for ball in world.balls if not ball.gone]
@@ -47,7 +55,7 @@ class Bench:
         self.on = [k for k, name in enumerate(self.names) if name in rules.targets(turn)]
         self.radius = world.ball(turn.cue).radius
         self.compiled = self._quick() if compiled is None else compiled
-        self.played = 0
+        self.kept, self.played = kept, 0
 
     @property
     def places(self) -> Any:
@@ -60,13 +68,15 @@ class Bench:
         self.played += len(shots)
         try:
             outcomes = simulate_many(
-                self.world, self.turn.cue, shots, positions=positions, contacts=KEPT,
+                self.world, self.turn.cue, shots, positions=positions, contacts=self.kept,
                 compiled=self.compiled,
             )  # fmt: skip
         except RuntimeError:  # one of them is a stroke that the engine cannot follow
             return self._halved(shots, positions, paths)
         found = self.rules.verdicts(outcomes, self.turn)
         made = found.made & found.certain
+        if self.pot is not None:
+            made &= self._potted(outcomes)
         gain = np.where(made, np.maximum(found.points, 1), np.minimum(found.points, 0))
         ways = [self._path(outcomes.log(int(k))) for k in np.flatnonzero(made)] if paths else []
         return Tried(made, gain, outcomes.positions, ways)
@@ -83,8 +93,23 @@ class Bench:
         made, gain, places = (np.concatenate([part[k] for part in parts]) for k in range(3))
         return Tried(made, gain, places, parts[0].paths + parts[1].paths)
 
+    def verdicts(self, shots: Any) -> Iterator[tuple[Any, Verdict]]:
+        """Where the balls lie after each of these, (balls, 2) m, and the whole verdict on it."""
+        cue = self.turn.cue
+        done = simulate_many(self.world, cue, shots, contacts=self.kept, compiled=self.compiled)
+        for k, places in enumerate(done.positions):
+            yield places, self.rules.verdict(done.log(k), self.turn)
+
+    def _potted(self, outcomes: Outcomes) -> Any:
+        ball, pocket = self.pot or ("", "")
+        there = [wall == pocket for wall in outcomes.walls]
+        drops = outcomes.contacts["kind"] == POCKET
+        drops &= outcomes.contacts["first"] == self.names.index(ball)
+        drops[drops] = np.array(there)[outcomes.contacts["second"][drops]]
+        return drops.any(axis=1)
+
     def _path(self, log: Any) -> tuple[str, ...]:
-        return self.rules.verdict(log, self.turn).facts.path
+        return self.pot or self.rules.verdict(log, self.turn).facts.path
 
     def _quick(self) -> bool | None:
         """Whether the compiled kernel plays this world: if numba is there and all its laws can."""

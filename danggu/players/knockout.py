@@ -55,11 +55,11 @@ def knockout(
     share, sizes = budget // ROUNDS, np.geomspace(len(field.shots), 2 * paths, ROUNDS + 1)
     for size in sizes[1:].round().astype(int):
         copies = max(FEWEST, share // (2 * len(field.shots)))
-        field, centres = _round(bench, field, level, copies, rng)
+        field, centres = _round(bench, field, level, copies, paths, rng)
         field = best(field, max(size, paths), paths)
         done = int(field.copies.max(initial=0.0))
         if len(centres.shots):  # as many copies of the newcomers as of the others
-            centres, _ = _round(bench, centres, level, done, rng)
+            centres, _ = _round(bench, centres, level, done, paths, rng)
             field = best(field.joined(centres), max(size, paths), paths)
     return best(field, 2 * paths, paths)
 
@@ -81,15 +81,18 @@ def first_of_each(paths: Any, order: list[int]) -> list[int]:
 
 
 def _round(
-    bench: Bench, field: Field, level: Level, copies: int, rng: np.random.Generator
+    bench: Bench, field: Field, level: Level, copies: int, paths: int, rng: np.random.Generator
 ) -> tuple[Field, Field]:
-    """The field with so many more copies of each, and the middles of what scored around some."""
+    """The field with so many more copies of each, and the middles of what scored around the best
+    and around the best of each of the best paths."""
     shots = missed(field.shots, level, copies, bench.radius, rng)
     tried = bench.play(shots)
     made = tried.made.reshape(len(field.shots), copies)
     gain = field.gain + tried.gain.reshape(made.shape).sum(axis=1)
     after = field._replace(copies=field.copies + copies, gain=gain)
-    rows = np.argsort(-after.worth, kind="stable")[: max(1, len(made) // 4)]
+    order = np.argsort(-after.worth, kind="stable").tolist()
+    firsts = first_of_each(field.paths, order)[:paths]
+    rows = np.array([*dict.fromkeys([*order[: len(made) // 4], *firsts])], int)
     rows = rows[made[rows].sum(axis=1) > 1]
     centres = middles(shots.reshape(*made.shape, 6)[rows], made[rows])
     if not len(rows):

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from cmath import phase
+from collections.abc import Callable
 from math import inf
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from danggu.rules.stroke import TIE
-from physics import World, sensitivity, simulate
+from physics import Sensitivity, World, sensitivity, simulate
 
 from .bench import Bench
+from .chances import Route
 from .errors import SPIN
 from .levels import Attempt
 from .solution import Thickness, Tolerance
@@ -21,6 +24,7 @@ STEPS = 16  # strokes of which each is off by more than the one before
 REACH = np.array([[20.0], [0.5], [0.3], [0.3]])  # of them, where the range is longer
 FARTHEST = (180.0, 1.0, 1.0, 1.0)  # degrees, share, radii: an input that may go so far has no limit
 Limit = tuple[float, Any, float, float]  # a value, its slopes, and between what it has to stay
+Limits = Callable[[Sensitivity], list[Limit]]
 
 
 class Meeting(NamedTuple):
@@ -74,26 +78,44 @@ def thick(met: Meeting) -> Thickness:
     return Thickness(met.ball, 8.0 * (1.0 - abs(part)), side)
 
 
-def tolerance(world: World, cue: str, aim: Attempt, until: float) -> Tolerance | None:
-    """How far the stroke may be off and still hit the balls that it hits until then, s; None where
-    no derivatives are known."""
+def tolerance(world: World, cue: str, aim: Attempt, limits: Limits) -> Tolerance | None:
+    """How far the stroke may be off within these limits; None where no derivatives are known."""
     try:
         slopes = sensitivity(world, cue, aim.shot(), NUMBERS)
     except ValueError:
         return None
-    limits: list[Limit] = []
-    for one in slopes.events:
-        if one.event.time > until + TIE:
-            break
-        if one.event.kind == "ball" and cue in one.event.balls:
-            limits += _met(one.event, cue, one.before).limits
-    found = [(x, _by(slopes, aim), least, most) for x, slopes, least, most in limits]
-    return Tolerance(
-        *(
-            _range([(x, by[k], *ends) for x, by, *ends in found], most)
-            for k, most in enumerate(FARTHEST)
-        )
+    found = [(x, _by(by, aim), low, high) for x, by, low, high in limits(slopes)]
+    angle, speed, right, up = (
+        _range([(x, by[k], low, high) for x, by, low, high in found], most)
+        for k, most in enumerate(FARTHEST)
     )
+    return Tolerance(angle, speed, right, up)
+
+
+def until(cue: str, time: float) -> Limits:
+    """The cue ball still hits the balls that it hits until then, s."""
+
+    def limits(slopes: Sensitivity) -> list[Limit]:
+        hits = [one for one in slopes.events if one.event.kind == "ball" and cue in one.event.balls]
+        met = [_met(one.event, cue, one.before) for one in hits if one.event.time <= time + TIE]
+        return [limit for each in met for limit in each.limits]
+
+    return limits
+
+
+def into(cue: str, way: Route) -> Limits:
+    """The ball still goes into its pocket."""
+
+    def limits(slopes: Sensitivity) -> list[Limit]:
+        for one in slopes.events:
+            names = one.event.balls
+            if one.event.kind == "ball" and {*names} == {cue, way.ball}:
+                k = names.index(way.ball)
+                off = phase(complex(*one.event.after[k].velocity) * way.opening.way.conjugate())
+                return [(off, one.headings()[k], -way.opening.half, way.opening.half)]
+        return []
+
+    return limits
 
 
 def tried(bench: Bench, aim: Attempt, found: Tolerance) -> Tolerance:
@@ -144,7 +166,7 @@ def _range(limits: list[Any], farthest: float) -> tuple[float, float]:
     """How far an input may go down and up."""
     low, high = -inf, inf
     for x, slope, least, most in limits:
-        if slope:
+        if slope and least <= x <= most:  # a ball off the jaw is outside from the first
             ends = sorted(((least - x) / slope, (most - x) / slope))
             low, high = max(low, ends[0]), min(high, ends[1])
     low, high = min(float(low), 0.0), max(float(high), 0.0)

@@ -6,9 +6,9 @@ best stroke of each path is measured on fresh errors.  docs/players.md says how 
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 from math import inf
-from typing import Any
 
 import numpy as np
 
@@ -19,20 +19,24 @@ from .ahead import Ahead, looked
 from .bench import Bench
 from .candidates import CUSHIONS, DIRECT, Style
 from .draws import draws
-from .errors import SPIN, missed
+from .errors import attempt, missed
 from .knockout import Field, first_of_each, knockout
-from .levels import Attempt, Level
+from .levels import Level
 from .opponent import LEAST
+from .pot_ways import pot_ways
 from .solution import Solution, Tip
-from .tolerances import thickness, tolerance, tried
+from .spotting import KINDS
+from .tolerances import thickness, tolerance, tried, until
 
 COMPILED, INTERPRETED = 160_000, 3_000  # strokes tried: less than a second, and a second or two
 AHEAD = 40_000  # strokes from which on positions are looked at
 # Parts of the budget for drawing aims, for the knock-out and for positions, below that number and
 # from it on; the rest measures.
 ONE, TWO = (0.4, 0.45, 0.0), (0.12, 0.15, 0.63)
+SLOWER = 8  # times as long as in other games a stroke takes with pockets and their rules
 ENOUGH = 600  # scoring aims after which no more are drawn
 PATHS = 8  # in the knock-out, at least; and twice as many strokes that are looked at
+WITNESSES = 40  # copies of a stroke that show by which path it mostly scores
 MEASURED = 2_000  # fresh copies of a stroke at most
 PIECE = 4096  # aims that are drawn at once
 FURTHER = 0.5  # radii: the tip's distance from the centre, to which the best strokes go
@@ -44,7 +48,8 @@ def solutions(
 ) -> list[Solution]:  # fmt: skip
     """The ways to score that a search finds, the one that it would play first; [] if it finds none.
 
-    Each has another path: the balls and cushions that the cue ball meets, in their order.
+    Each has another path: the balls and cushions that the cue ball meets, in their order; with
+    pockets the ball that is potted and its pocket.
 
     world: with the balls at rest, all those of the game; it stays as it is.
     turn: whose stroke it is; `Match.turn` has it.
@@ -58,11 +63,11 @@ def solutions(
     compiled: by the compiled kernel? None: where numba is installed.
     ValueError if there is no ball to play with.
     """
-    bench = Bench(world, rules, turn, compiled)
-    total, rng = (
-        budget or (COMPILED if bench.compiled else INTERPRETED),
-        np.random.default_rng(seed),
-    )
+    bench, rng = Bench(world, rules, turn, compiled), np.random.default_rng(seed)
+    total = budget or (COMPILED if bench.compiled else INTERPRETED)
+    if rules.key in KINDS:
+        total = budget or (total // SLOWER if bench.compiled else total)
+        return pot_ways(world, rules, turn, level, total, most, bench.compiled, rng)
     deep = total >= AHEAD
     drawn, raced, looks = (int(part * total) for part in (TWO if deep else ONE))
     found = _drawn(bench, drawn, rng)
@@ -74,9 +79,7 @@ def solutions(
         score = replace(turn, opening=False, score=turn.score + 1)
         then = Bench(world, rules, score, bench.compiled)
         running = looked(running.field, bench, then, _style(then), error, looks, rng)
-    rows = first_of_each(running.field.paths, np.argsort(-running.worth, kind="stable").tolist())[
-        :most
-    ]
+    rows = _distinct(bench, running, error, most, rng)
     copies = max(1, min(MEASURED, (total - drawn - raced - looks) // len(rows)))
     return [_measured(bench, running, row, level, copies, rng) for row in rows]
 
@@ -104,6 +107,21 @@ def _last(bench: Bench, field: Field) -> bool:
     return bench.rules.verdict(log.contacts(), bench.turn).won
 
 
+def _distinct(
+    bench: Bench, running: Ahead, level: Level, most: int, rng: np.random.Generator
+) -> list[int]:
+    """The best of each path, but for those which mostly score by the path of another."""
+    field = running.field
+    rows = first_of_each(field.paths, np.argsort(-running.worth, kind="stable").tolist())[:most]
+    kept = rows[:1]
+    for row in rows[1:]:
+        shots = missed(field.shots[row][None], level, WITNESSES, bench.radius, rng)
+        common = Counter(bench.play(shots, paths=True).paths).most_common(1)
+        if not common or common[0][0] not in {field.paths[other] for other in rows if other != row}:
+            kept.append(row)
+    return kept
+
+
 def _measured(
     bench: Bench, running: Ahead, row: int, level: Level, copies: int, rng: np.random.Generator
 ) -> Solution:
@@ -113,7 +131,7 @@ def _measured(
     aim, cue, world = attempt(shot), bench.turn.cue, bench.world
     log = simulate(world, cue, aim.shot()).log
     decided = bench.rules.verdict(log.contacts(), bench.turn).facts.decided
-    linear = tolerance(world, cue, aim, decided or inf)
+    linear = tolerance(world, cue, aim, until(cue, decided or inf))
     return Solution(
         path=running.field.paths[row], aim=aim, share=float(copied.made.mean()), copies=copies,
         gain=float(copied.gain.mean()), after=None if np.isnan(after) else float(after),
@@ -121,9 +139,3 @@ def _measured(
         tip=Tip.of(aim.right, aim.up, bench.radius),
         tolerance=linear and tried(bench, aim, linear),
     )  # fmt: skip
-
-
-def attempt(shot: Any) -> Attempt:
-    """The aim of a shot (6,) without massé."""
-    speed, angle, follow, _, side, _ = shot.tolist()
-    return Attempt(angle, speed, side / (SPIN * speed), follow / (SPIN * speed))

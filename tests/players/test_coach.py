@@ -16,8 +16,8 @@ from danggu.players.knockout import Field
 from danggu.players.levels import EXPERT, PERFECT, Level
 from danggu.players.outlook import outlook
 from danggu.players.solution import Tip
-from danggu.players.tolerances import thickness, tolerance
-from danggu.rules import GAMES, Turn
+from danggu.players.tolerances import thickness, tolerance, until
+from danggu.rules import GAMES, Match, Player, Turn
 from physics import Ball, World, simulate, tables
 
 LIES = {
@@ -150,7 +150,7 @@ def test_a_ball_that_is_hit_directly_gives_its_width_as_tolerance_and_its_thickn
     world.add(Ball("red", at=(1.0, 0.0)))
     aim = Attempt(0.5 * HALF, 3.0)  # so that a quarter of the angle is left on one side
     hit = simulate(world, "white", aim.shot()).log.first("ball")
-    found = tolerance(world, "white", aim, hit.time)
+    found = tolerance(world, "white", aim, until("white", hit.time))
     assert found is not None
     assert found.angle == pytest.approx((-1.5 * HALF, 0.5 * HALF), rel=2e-3)
     assert found.speed[1] == inf
@@ -178,3 +178,43 @@ def test_a_shot_that_is_off_by_half_its_tolerance_still_scores() -> None:
 )
 def test_the_hour_of_the_tip_is_that_of_a_clock_face(right: float, up: float, hour: int) -> None:
     assert Tip.of(right, up, 0.03075).hour == hour
+
+
+def racked(game: str) -> tuple[World, Turn]:
+    """Three balls on a pool table, in the middle of a rack."""
+    world = tables.pool_9ft()
+    for name, at in {
+        "cue": (-0.5, 0.2),
+        "1": (0.3, -0.2),
+        "9": (0.0, 0.45),
+        "8": (0.9, 0.3),
+    }.items():
+        world.add(Ball(name, at=at))
+    match = Match.of(GAMES[game](), Player("kim"), Player("lee"))
+    state = replace(match.state, phase="", region="", left=("1", "8", "9"))
+    return world, replace(match, state=state).turn
+
+
+@pytest.mark.parametrize("game", ["9-ball", "8-ball"])
+def test_with_pockets_each_way_pots_its_ball_where_it_says(game: str) -> None:
+    world, turn = racked(game)
+    ways = solutions(world, GAMES[game](), turn, EXPERT, 4000, compiled=True, most=3)
+    assert ways
+    for way in ways:
+        log = simulate(world, "cue", way.shot).log
+        verdict = GAMES[game]().verdict(log.contacts(), replace(turn, call=way.call))
+        assert verdict.made
+        drops = {(e.balls[0], e.wall) for e in log if e.kind == "pocket"}
+        assert way.path in drops
+        assert way.after is None or 0.0 <= way.after <= 1.0
+    if game == "9-ball":
+        assert {way.path[0] for way in ways} == {"1"}
+    else:
+        assert ways[0].call.ball == ways[0].path[0]
+
+
+def test_a_game_with_pockets_is_refused_on_a_table_without() -> None:
+    world = tables.match_carom()
+    world.add(Ball("cue", at=(0.0, 0.0)))
+    with pytest.raises(ValueError, match="pockets"):
+        solutions(world, GAMES["9-ball"](), Turn("cue"), EXPERT)
