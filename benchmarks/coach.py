@@ -6,9 +6,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from danggu.players import LEVELS, Solution, solutions
+from danggu.players import Solution, solutions
 from danggu.players.errors import missed
-from danggu.players.levels import EXPERT, Level
+from danggu.players.levels import CLUB, EXPERT, MASTER, NOVICE, PERFECT, Level
 from danggu.rules import GAMES, Turn
 from physics import Ball, World, simulate_many, tables
 
@@ -16,8 +16,13 @@ from . import report
 from .report import Report, figure
 
 POSITIONS = (3, 30, 200)  # of three-cushion, at random
-INNINGS = (2, 20, 200)
-STROKES = (2, 60, 800)  # of a level at most
+INNINGS = 200  # of a player at most
+# Players: a level, how far it looks, and strokes at most.
+PLAYERS = (
+    (EXPERT, 1, 800), (EXPERT, 2, 400), (CLUB, 2, 120), (NOVICE, 2, 120), (MASTER, 2, 80),
+    (PERFECT, 2, 40),
+)  # fmt: skip
+PARTS = (0.02, 0.1, 1.0)  # of these strokes
 BUDGETS = (1500, None, None)  # strokes tried for each
 LONGEST = 50  # strokes of an inning
 COPIES = 400  # of a stroke, to see whether its share holds
@@ -180,27 +185,38 @@ def positions(page: Report, effort: int) -> list[list[Any]]:
 
 def averages(page: Report, effort: int) -> list[list[Any]]:
     """What each level scores in three-cushion, and what the positions are worth that it leaves."""
-    innings, strokes = INNINGS[effort], STROKES[effort]
     page.say(
-        f"Three-cushion, each inning from a position at random, {innings} innings or {strokes}"
-        f" strokes, no inning longer than {LONGEST}. *Expected* is what the shares of the strokes"
-        " say, Σ share / Σ (1 − share): less a matter of chance than the points that were made."
+        f"Three-cushion, each inning from a position at random, {INNINGS} innings or so many"
+        f" strokes, no inning longer than {LONGEST}; both players look for a stroke among as many"
+        " aims, and with two plies also at the positions that it leaves. *Expected* is what the"
+        " shares of the strokes say, Σ share / Σ (1 − share): less a matter of chance than the"
+        " points that were made."
     )
     lines, rows = [], []
-    for level in LEVELS:
-        for plies in (1, 2) if level is EXPERT else (2,):
-            given = {"plies": plies, "budget": BUDGETS[effort]}
-            one = sat("three-cushion", level, innings, strokes, **given)
-            print(level.key, plies, one, flush=True)
-            made = f"{figure(one.points / one.innings)}"
-            expected = f"{figure(one.expected)} ± {figure(one.error, 2)}" if one.error else "–"
-            lines.append(
-                [level.key, plies, one.innings, one.points, made, one.best, one.share, expected,
-                 one.seconds]
-            )  # fmt: skip
-            rows.append(["level", level.key, plies, *one])
+    for level, plies, strokes in PLAYERS:
+        most = max(2, int(PARTS[effort] * strokes))
+        one = sat("three-cushion", level, INNINGS, most, plies=plies, budget=BUDGETS[effort])
+        print(level.key, plies, one, flush=True)
+        made = f"{figure(one.points / one.innings)}"
+        expected = f"{figure(one.expected)} ± {figure(one.error, 2)}" if one.error else "–"
+        lines.append(
+            [level.key, plies, one.innings, one.strokes, one.points, made, one.best, one.share,
+             expected, one.seconds]
+        )  # fmt: skip
+        rows.append(["level", level.key, plies, *one])
     page.table(
-        ["level", "plies", "innings", "points", "average", "high run", "share", "expected", "s"],
+        [
+            "level",
+            "plies",
+            "innings",
+            "strokes",
+            "points",
+            "average",
+            "high run",
+            "share",
+            "expected",
+            "s",
+        ],
         lines,
     )
     return rows
