@@ -17,10 +17,17 @@ from .report import Report, figure
 
 POSITIONS = (3, 30, 200)  # of three-cushion, at random
 INNINGS = 200  # of a player at most
-# Players: a level, how far it looks, and strokes at most.
+# Players: the game, a level, how many plies it looks ahead, and strokes at most.
+THREE = "three-cushion"
 PLAYERS = (
-    (EXPERT, 1, 800), (EXPERT, 2, 400), (CLUB, 2, 120), (NOVICE, 2, 120), (MASTER, 2, 80),
-    (PERFECT, 2, 40),
+    (THREE, EXPERT, 1, 800), (THREE, MASTER, 1, 150), (THREE, MASTER, 2, 150),
+    ("straight-rail", EXPERT, 1, 150), ("straight-rail", EXPERT, 2, 150),
+    (THREE, NOVICE, 2, 100), (THREE, CLUB, 2, 100), (THREE, PERFECT, 2, 20),
+    (THREE, EXPERT, 2, 800),
+)  # fmt: skip
+HEADS = (
+    "game", "level", "plies", "innings", "strokes", "points", "average", "high run", "share",
+    "expected", "s",
 )  # fmt: skip
 PARTS = (0.02, 0.1, 1.0)  # of these strokes
 BUDGETS = (1500, None, None)  # strokes tried for each
@@ -148,7 +155,7 @@ class Held(NamedTuple):
 
 def replayed(number: int, budget: int | None) -> Held | None:
     """The first way of an expert at three-cushion position `number`; None if none was found."""
-    table, rng = Baize("three-cushion"), np.random.default_rng([2, number])
+    table, rng = Baize(THREE), np.random.default_rng([2, number])
     places, start = table.random(rng), process_time()
     world = table.laid(places)
     ways = solutions(world, table.rules, Turn(), EXPERT, budget, seed=number, most=1)
@@ -186,39 +193,25 @@ def positions(page: Report, effort: int) -> list[list[Any]]:
 def averages(page: Report, effort: int) -> list[list[Any]]:
     """What each level scores in three-cushion, and what the positions are worth that it leaves."""
     page.say(
-        f"Three-cushion, each inning from a position at random, {INNINGS} innings or so many"
+        f"Each inning from a position at random, {INNINGS} innings or so many"
         f" strokes, no inning longer than {LONGEST}; both players look for a stroke among as many"
         " aims, and with two plies also at the positions that it leaves. *Expected* is what the"
         " shares of the strokes say, Σ share / Σ (1 − share): less a matter of chance than the"
         " points that were made."
     )
     lines, rows = [], []
-    for level, plies, strokes in PLAYERS:
+    for game, level, plies, strokes in PLAYERS:
         most = max(2, int(PARTS[effort] * strokes))
-        one = sat("three-cushion", level, INNINGS, most, plies=plies, budget=BUDGETS[effort])
-        print(level.key, plies, one, flush=True)
+        one = sat(game, level, INNINGS, most, plies=plies, budget=BUDGETS[effort])
+        print(game, level.key, plies, one, flush=True)
         made = f"{figure(one.points / one.innings)}"
         expected = f"{figure(one.expected)} ± {figure(one.error, 2)}" if one.error else "–"
         lines.append(
-            [level.key, plies, one.innings, one.strokes, one.points, made, one.best, one.share,
-             expected, one.seconds]
+            [game, level.key, plies, one.innings, one.strokes, one.points, made, one.best,
+             one.share, expected, one.seconds]
         )  # fmt: skip
-        rows.append(["level", level.key, plies, *one])
-    page.table(
-        [
-            "level",
-            "plies",
-            "innings",
-            "strokes",
-            "points",
-            "average",
-            "high run",
-            "share",
-            "expected",
-            "s",
-        ],
-        lines,
-    )
+        rows.append([game, level.key, plies, *one])
+    page.table(HEADS, lines)
     return rows
 
 
@@ -226,6 +219,7 @@ def main(arguments: list[str] | None = None) -> int:
     options = report.options("coach", __doc__, arguments)
     page = Report("coach", "Coach", options.out)
     rows = positions(page, options.effort)
+    page.save()
     rows += averages(page, options.effort)
     page.data(["what", "which", "plies", *"abcdefgh"], rows)
     page.save()

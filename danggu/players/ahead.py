@@ -16,7 +16,8 @@ from .outlook import DRAWN, ROUNDS, firsts, outlook
 COST = DRAWN + 1.7 * sum(keep * copies for keep, copies in ROUNDS)  # strokes a position, about
 # Of the positions that are looked at, parts for the first round and so on; each time half of the
 # strokes are left.
-PARTS = (0.4, 0.35, 0.25)
+PARTS = (0.35, 0.35, 0.3)
+HOPELESS = 0.75  # of the best share: what is below is not looked at
 WIDEST = 4  # copies for each position that is wanted, at most
 
 
@@ -81,7 +82,8 @@ def looked(
     rng: np.random.Generator,
 ) -> Ahead:  # fmt: skip
     """The strokes, the best by far looked at most; `then` is the bench for the stroke after."""
-    found, rows = Ahead(field), np.arange(len(field.shots))
+    found = Ahead(field)
+    rows = np.flatnonzero(field.worth >= HOPELESS * field.worth.max())
     for part in PARTS:
         positions = max(1, int(part * budget / (COST * len(rows))))
         found.look(rows, positions, here, then, style, level, rng)

@@ -11,6 +11,7 @@ from .errors import missed
 from .levels import Level
 
 ROUNDS = 5
+STAYING = 3  # strokes at the end for each path that stays
 FEWEST = 4  # copies of each stroke in a round
 
 
@@ -50,9 +51,10 @@ class Field(NamedTuple):
 def knockout(
     bench: Bench, field: Field, level: Level, budget: int, paths: int, rng: np.random.Generator
 ) -> Field:
-    """The best strokes, twice as many as `paths`, the best first; those of the best paths among
+    """The best strokes, three times as many as `paths`, the best first; those of the best paths among
     them."""
-    share, sizes = budget // ROUNDS, np.geomspace(len(field.shots), 2 * paths, ROUNDS + 1)
+    share, last = budget // ROUNDS, STAYING * paths
+    sizes = np.geomspace(len(field.shots), last, ROUNDS + 1)
     for size in sizes[1:].round().astype(int):
         copies = max(FEWEST, share // (2 * len(field.shots)))
         field, centres = _round(bench, field, level, copies, paths, rng)
@@ -61,7 +63,7 @@ def knockout(
         if len(centres.shots):  # as many copies of the newcomers as of the others
             centres, _ = _round(bench, centres, level, done, paths, rng)
             field = best(field.joined(centres), max(size, paths), paths)
-    return best(field, 2 * paths, paths)
+    return best(field, last, paths)
 
 
 def best(field: Field, keep: int, paths: int) -> Field:

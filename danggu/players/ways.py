@@ -35,7 +35,7 @@ AHEAD = 40_000  # strokes from which on positions are looked at
 ONE, TWO = (0.4, 0.45, 0.0), (0.12, 0.15, 0.63)
 SLOWER = 8  # times as long as in other games a stroke takes with pockets and their rules
 ENOUGH = 600  # scoring aims after which no more are drawn
-PATHS = 8  # in the knock-out, at least; and twice as many strokes that are looked at
+PATHS = 8  # in the knock-out, at least
 WITNESSES = 40  # copies of a stroke that show by which path it mostly scores
 MEASURED = 2_000  # fresh copies of a stroke at most
 PIECE = 4096  # aims that are drawn at once
@@ -126,7 +126,7 @@ def _measured(
     bench: Bench, running: Ahead, row: int, level: Level, copies: int, rng: np.random.Generator
 ) -> Solution:
     """What is known of a stroke, its share on fresh errors."""
-    shot, after = running.field.shots[row], running.after[row]
+    shot, after = running.field.shots[row], running.after[row] if running.count[row] else np.nan
     copied = bench.play(missed(shot[None], level, copies, bench.radius, rng))
     aim, cue, world = attempt(shot), bench.turn.cue, bench.world
     log = simulate(world, cue, aim.shot()).log
