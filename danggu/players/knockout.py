@@ -51,7 +51,7 @@ class Field(NamedTuple):
 def knockout(
     bench: Bench, field: Field, level: Level, budget: int, paths: int, rng: np.random.Generator
 ) -> Field:
-    """The best strokes, three times as many as `paths`, the best first; those of the best paths among
+    """The best strokes, three times as many as `paths`, the best first; the best paths are among
     them."""
     share, last = budget // ROUNDS, STAYING * paths
     sizes = np.geomspace(len(field.shots), last, ROUNDS + 1)
