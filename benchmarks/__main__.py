@@ -14,6 +14,7 @@ COMMANDS = {
     "skips": "every shortcut switched off in turn: time, work, and that no bit changes",
     "batch": "shots a second, by threads and by executor",
     "envs": "environments: steps a second, and what plain players score",
+    "coach": "the coach: whether its shares hold, and what it scores at each level",
     "frame": "the game: update and drawing, moving and idle, and its start",
     "influence": "what moves a stroke: coefficients, laws and the player's hand, in centimetres",
     "all": "speed, work-precision, scale, peers, skips, batch, envs and frame, one after the other",

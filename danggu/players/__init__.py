@@ -1,4 +1,5 @@
-"""Players: how well a level carries out a stroke, and an opponent that looks for one."""
+"""Players: how well a level carries out a stroke, an opponent that looks for one, and a coach that
+shows all there are."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -7,12 +8,19 @@ if TYPE_CHECKING:
     from .levels import LEVELS, Attempt, Level
     from .opponent import Intent, Opponent
     from .positions import Position, opening
+    from .solution import Solution, Thickness, Tip, Tolerance
+    from .ways import solutions
 
-__all__ = ["LEVELS", "Attempt", "Intent", "Level", "Opponent", "Position", "opening"]
+__all__ = [
+    "LEVELS", "Attempt", "Intent", "Level", "Opponent", "Position", "Solution", "Thickness", "Tip",
+    "Tolerance", "opening", "solutions",
+]  # fmt: skip
 
 HOMES = {
     "LEVELS": "levels", "Attempt": "levels", "Level": "levels", "Intent": "opponent",
     "Opponent": "opponent", "Position": "positions", "opening": "positions",
+    "Solution": "solution", "Thickness": "solution", "Tip": "solution", "Tolerance": "solution",
+    "solutions": "ways",
 }  # fmt: skip
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .levels import MISCUE, SLOWEST
+from .levels import MISCUE, SLOWEST, Attempt
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -42,3 +42,9 @@ def missed(
     exact[:, 0], exact[:, 1] = speed, exact[:, 1] + level.angle * errors[:, 0]
     exact[:, 2], exact[:, 4] = SPIN * speed * up * within, SPIN * speed * right * within
     return np.asarray(exact, float)
+
+
+def attempt(shot: npt.NDArray[np.float64]) -> Attempt:
+    """The aim of a shot (6,) without massé and climb."""
+    speed, angle, follow, _, side, _ = shot.tolist()
+    return Attempt(angle, speed, side / (SPIN * speed), follow / (SPIN * speed))

@@ -18,7 +18,7 @@ from physics import scenes, simulate
 NEEDS = {
     "speed": ["numba"], "work-precision": ["numba", "mpmath", "matplotlib"],
     "scale": ["numba", "matplotlib"], "peers": ["numba"], "skips": [], "batch": ["numba"],
-    "frame": [], "envs": ["gymnasium", "numba"], "influence": [],
+    "frame": [], "envs": ["gymnasium", "numba"], "influence": [], "coach": ["numba"],
 }  # fmt: skip
 # what these measure with is tried below, or needs nothing else than the pages of the others
 LONG = ("speed", "work-precision", "scale", "skips")
