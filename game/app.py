@@ -87,7 +87,7 @@ class App:
         self.actions: list[tuple[int, Action]] = []
         self._shown_version = -1
         self._typing: bool | None = None
-        self.thinker = Thinker(session, options.seed, options.virtual)
+        self.thinker = Thinker(session, options.seed, options.virtual, self.view.coach.aide)
         self._shots = session.shots
         self.repeat = Repeat()
         self._texts = False
@@ -121,11 +121,12 @@ class App:
         if self.replay is None:
             self.perform(self.thinker.think(), human=False)
             self.perform(self.view.sketch.look(self.session))
+            self.perform(self.view.coach.look(self.session, self.preferences.settings.level))
         if not (self.options.virtual or self.preferences.audio.silent):
             self._sound()
         changed, thinking = self.view.think(seconds(ticks))
         self.redraw(changed)
-        busy = thinking or self.thinker.on or self.view.sketch.searching
+        busy = thinking or self.thinker.on or self.view.searching
         return self.render() or self.stats.inputs != before or busy
 
     # -- handle --------------------------------------------------------------------------------
@@ -341,8 +342,7 @@ class App:
         self.preferences.save()
         if self.journal is not None:
             self.journal.close()
-        self.view.sketch.clear()
-        self.view.tracks.stop()
+        self.view.end()
         self.preferences.audio.close()
         pygame.display.quit()
 

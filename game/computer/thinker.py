@@ -15,6 +15,7 @@ from danggu.players import lagger
 from danggu.players.answers import answer
 from danggu.players.minds import mind
 from danggu.players.plan import Mind, Plan
+from danggu.players.spotting import KINDS
 from danggu.rules.match import Match
 from game.aim.entry import BOXES, plain
 from game.session.action import Action
@@ -22,6 +23,9 @@ from game.session.commands import COMMANDS
 from game.session.session import Session
 from game.session.ticks import TICKS
 from physics import EventDriven, Shot
+
+from .advised import Advised
+from .aide import Aide
 
 BUDGET = 0.009
 """Seconds of thinking in a frame of 16.7 ms."""
@@ -40,10 +44,17 @@ PLACES = 4
 
 
 class Thinker:
-    """Plays the computer's turns; `think` once a frame gives what it wants done."""
+    """Plays the computer's turns; `think` once a frame gives what it wants done.
 
-    def __init__(self, session: Session, seed: int = 0, virtual: bool = False) -> None:
+    `aide` is the process that searches; not where steps are counted, for its answers come when
+    they come.
+    """
+
+    def __init__(
+        self, session: Session, seed: int = 0, virtual: bool = False, aide: Aide | None = None
+    ) -> None:
         self.session, self.seed, self.virtual = session, seed, virtual
+        self.aide = None if virtual else aide
         self.mind: Mind | None = None
         self._queue: list[Action] = []
         self._about: tuple[Match, int, int] | None = None
@@ -132,6 +143,8 @@ class Thinker:
         world = session.world.copy()
         world.engine = EventDriven()  # fixed steps would take a hundred times as long
         self.mind = mind(world, contest.match, contest.level, seed, EFFORT)
+        if self.aide is not None and contest.match.rules.key not in KINDS:
+            self.mind = Advised(self.mind, self.aide, world, contest.match, contest.level)
         self._rng = Random(seed + 1)
         self._since = self._shown_at = session.tick
         self._decided, self._shown = 0, None

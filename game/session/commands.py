@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from game.aim import edit, thickness
+from game.aim import advice, edit, thickness
 from game.aim.entry import BOXES, Aim
 from game.table import lineup, presets
 from game.text import LANGUAGES
@@ -155,9 +155,13 @@ TABLE = (
     Command("arrange", table.arrange, keys=(Key("b"),),
             rows=(HelpRow("play", 11, "@arrange", "key.arrange"),), aims=True),
     Command("sketch", play.sketch, keys=(Key("g"),),
-            rows=(HelpRow("aim", 9.5, "@sketch", "help.sketch"),), step=False, aims=True),
+            rows=(HelpRow("aim", 9.5, "@sketch @coach 1", "help.sketch"),), step=False, aims=True),
     Command("recover", play.recover, numbers('"V FOLLOW MASSE SIDE ANGLE HOW WELL"', RECOVERED),
             aims=True, writes=True),
+    Command("coach", play.coach, _WAY, (Key("h", 1, shift=Action("coach", -1)),), (),
+            step=False, aims=True),
+    Command("suggest", play.suggest, line("ADVICE", advice.read, "advice"), aims=True,
+            writes=True),
     Command("ball", match.next_ball, _WAY, (Key("k", 1, shift=Action("ball", -1)),),
             (HelpRow("aim", 10, "@ball 1 @pocket 1", "help.call"),), aims=True),
     Command("pocket", match.next_pocket, _WAY, (Key("o", 1, shift=Action("pocket", -1)),), (),
@@ -224,6 +228,7 @@ TABLE = (
     Command("still", _own("still"), own=True),
     Command("volume", _own("volume"), whole("0..10", 0, 10), own=True),
     Command("colours", _own("colours"), _KEY, own=True),
+    Command("level", _own("level"), _KEY, own=True),
     Command("bind", _own("bind"), text('"COMMAND KEY"'), own=True),
     Command("unbind", _own("unbind"), text("COMMAND"), own=True),
     Command("quit", table.quit_game, ends_match="begun"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from game.aim import edit, thickness
+from game.aim import advice, edit, thickness
 from game.aim.entry import BOXES
 from game.aim.preview import GLIMPSE, rests
 from game.table import presets
@@ -180,6 +180,25 @@ def recover(session: Session, found: str) -> None:
         _written(session)
         whole = float(known[-1]) >= WHOLE
         session.warn(f"sketch.{'found' if whole else 'partly'}", False, " ".join(known))
+
+
+def coach(session: Session, way: int) -> None:
+    """Ask the coach for a way to score, or for the next one (1) or the one before (-1)."""
+    if session.contest is not None and not session.contest.terms.hints:
+        session.refuse("coach")
+    elif session.ready():
+        session.sketching = session.arranging = False
+        session.coaching += way
+    else:
+        session.refuse("moving")
+
+
+def suggest(session: Session, line: str) -> None:
+    """Write a way that the coach shows into the boxes, and say how to play it."""
+    if session.ready():
+        session.aim.texts = list(advice.read(line).texts)
+        _written(session)
+        session.warn("coach.found", False, line)
 
 
 def play(session: Session, shot: str) -> None:

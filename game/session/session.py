@@ -40,7 +40,7 @@ class Session:
     version   goes up with every change: equal versions look the same
     news      goes up when more than the balls' places has changed, or is due to be read again
     lies      how the balls lay before the last shot
-    did       the last action's name
+    did       the last action's name; coaching: which of the coach's ways is asked for
     match_engine  what a match from the menu is played with, whatever is in use before it
     """
 
@@ -58,7 +58,7 @@ class Session:
         self.engine, self.match_engine = "exact", match_engine
         self.help = self.over = False
         self.page = self.did = ""
-        self.tick = self.calls = self.events = self.version = self.news = 0
+        self.tick = self.calls = self.events = self.version = self.news = self.coaching = 0
         self.rng = random.Random(seed)
         self.history = History()
         self.timeline = Timeline(world, world.time)

@@ -57,7 +57,7 @@ class Terms:
 
     "table" as a cloth or a law is the one that the table comes with; the house rules of other games
     than the one played mean nothing. `race` is the racks or frames to win, `lag`: who begins is
-    found by a lag; `seed` draws the racks.
+    found by a lag, `hints`: the coach may be asked; `seed` draws the racks.
     """
 
     game: str = FREE
@@ -78,6 +78,7 @@ class Terms:
     miss: bool = True
     ball_back: str = "minus"
     lag: bool = False
+    hints: bool = True
     seed: int = 0
 
     def __post_init__(self) -> None:
@@ -164,10 +165,10 @@ def _carom(table: str, name: str, *house: str, **how: Any) -> Discipline:
     """A game with three balls; `how` are the fields of its rules that are no house rule."""
 
     def rules(terms: Terms) -> Rules:
-        own = {key: getattr(terms, key) for key in house if key not in ("equal", "lag")}
+        own = {key: getattr(terms, key) for key in house}
         return GAMES_OF_RULES[name](**own, **how)
 
-    return Discipline(table, THREE_CUSHION, (*house, "equal", "lag"), rules, CAROM)
+    return Discipline(table, THREE_CUSHION, (*house, "equal", *ALWAYS), rules, CAROM)
 
 
 def _racked(tables: tuple[str, ...], name: str, *house: str, **more: Any) -> Discipline:
@@ -178,17 +179,20 @@ def _racked(tables: tuple[str, ...], name: str, *house: str, **more: Any) -> Dis
         return GAMES_OF_RULES[name](**{to or ours: getattr(terms, ours) for ours, _, to in own})
 
     race = () if more.get("points") else ("race",)
-    fields_ = (*race, *(key.partition(">")[0] for key in house), "lag")
+    fields_ = (*race, *(key.partition(">")[0] for key in house), *ALWAYS)
     return Discipline(tables[0], "", fields_, rules, tables, bool(more.get("points")))
 
 
+ALWAYS = "lag", "hints"
+"""House rules of every game."""
 CAROM, POOL = (*presets.CAROM,), (*presets.POOL,)
 PYRAMID = ("pyramid",)
 RACES = tuple(range(1, 16))
 HOUSE: dict[str, tuple[Any, ...]] = {
     "finish": FINISHES, "penalty": PENALTIES, "bank": BANKS, "floor": (True, False),
     "red_first": (True, False), "lag": (True, False), "umb": (True, False), "equal": (True, False),
-    "early": (True, False), "miss": (True, False), "ball_back": (MINUS, GIFT, TAKE),
+    "hints": (True, False), "early": (True, False), "miss": (True, False),
+    "ball_back": (MINUS, GIFT, TAKE),
 }  # fmt: skip
 """What each house rule can be."""
 DISCIPLINES = {
@@ -196,7 +200,7 @@ DISCIPLINES = {
     FOUR_BALL: Discipline(
         "medium",
         SAGU,
-        ("finish", "penalty", "floor", "equal", "lag"),
+        ("finish", "penalty", "floor", "equal", *ALWAYS),
         lambda terms: sagu.Sagu(terms.finish, terms.penalty, floor_zero=terms.floor),
         CAROM,
     ),

@@ -77,6 +77,10 @@ class Preferences:
         """Take a set of balls."""
         self.settings.colours = key
 
+    def level(self, key: str) -> None:
+        """Let the coach count with this error of a stroke."""
+        self.settings.level = key
+
     def bind(self, value: str) -> None:
         """Give an action another key ("ACTION KEY"), unless it cannot have it."""
         name, key = value.rsplit(" ", 1)

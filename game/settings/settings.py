@@ -10,6 +10,7 @@ from dataclasses import asdict, dataclass, field, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from danggu.players.levels import LEVELS
 from game.contradictions import LAID
 from game.table import presets
 from game.text import LANGUAGES
@@ -30,6 +31,7 @@ CHOICES: dict[str, tuple[str, ...]] = {
     "engine": tuple(presets.ENGINES),
     "aids": ("off", "short", "full"),
     "colours": ("usual", "safe"),
+    "level": tuple(level.key for level in LEVELS),
 }
 """What can be chosen; "table" is the cloth, and the laws, that a table comes with."""
 SIDE = 200, 16384
@@ -42,6 +44,7 @@ class Settings:
 
     language .. engine  as the commands of these names take them
     aids, colours       keys of CHOICES
+    level               how well the player carries out a stroke, as the coach sees it
     volume              0 to LOUDEST
     still               reduced motion
     both                a log in two languages
@@ -57,6 +60,7 @@ class Settings:
     engine: str = "exact"
     aids: str = "full"
     colours: str = "usual"
+    level: str = "expert"
     volume: int = 8
     muted: bool = False
     still: bool = False

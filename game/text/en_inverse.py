@@ -2,7 +2,7 @@
 
 WORDS = {
     "key.sketch": "draw the cue ball's path",
-    "help.sketch": "draw a path, get its shot",
+    "help.sketch": "draw a path, get its shot · show a shot",
     "hint.sketch": "Draw the cue ball's path · Esc ends",
     "notice.sketch.start": "Begin the path at the cue ball",
     "notice.sketch.short": "The path is too short",

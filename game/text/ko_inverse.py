@@ -2,7 +2,7 @@
 
 WORDS = {
     "key.sketch": "수구 경로 그리기",
-    "help.sketch": "경로를 그려 샷 찾기",
+    "help.sketch": "경로를 그려 샷 찾기 · 길 보기",
     "hint.sketch": "수구의 경로를 그리세요 · Esc 끝내기",
     "notice.sketch.start": "경로는 수구에서 시작하세요",
     "notice.sketch.short": "경로가 너무 짧습니다",

@@ -18,6 +18,7 @@ from game.settings.preferences import Preferences
 from game.text.text_field import TextField
 from game.ui.sight import Sight
 
+from .coach import Coach
 from .pages import help as keys_page
 from .pages import question
 from .pages.menu import MenuPage
@@ -53,7 +54,7 @@ class View:
         preferences: Preferences | None = None,
     ) -> None:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
-        self.sketch, self.tracks = Sketch(), TracksPage()
+        self.sketch, self.tracks, self.coach = Sketch(), TracksPage(), Coach()
         self.pages: dict[str, Page] = {
             "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
             "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
@@ -92,6 +93,17 @@ class View:
             return self.session.aim.edited
         found = None if self.question is not None else getattr(self.page, "field", None)
         return found if isinstance(found, TextField) else None
+
+    @property
+    def searching(self) -> bool:
+        """Does a process beside the window look for a shot?"""
+        return self.sketch.searching or self.coach.searching
+
+    def end(self) -> None:
+        """End all that goes on beside the window."""
+        self.sketch.clear()
+        self.tracks.stop()
+        self.coach.close()
 
     def ask(self, action: Action) -> None:
         """Ask over the page whether an action is to be done."""

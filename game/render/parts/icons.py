@@ -17,7 +17,7 @@ Points = list[tuple[float, float]]
 def draw(
     surface: pygame.Surface, rect: pygame.Rect, name: str, s: float, colour: Colour = TEXT_SOFT
 ) -> pygame.Rect:
-    """Draw an icon ("sketch" "menu" "settings" "sound" "silent") in the middle of `rect`."""
+    """Draw "coach" "sketch" "menu" "settings" "sound" or "silent" in the middle of `rect`."""
     picture = _icon(name, max(12, round(15 * s)), colour)
     return surface.blit(picture, picture.get_rect(center=rect.center))
 
@@ -32,6 +32,8 @@ def _icon(name: str, px: int, colour: Colour) -> pygame.Surface:
         _bars(large, colour)
     elif name == "sketch":
         _pencil(large, colour)
+    elif name == "coach":
+        _lamp(large, colour)
     else:
         _speaker(large, colour, silent=name == "silent")
     return pygame.transform.smoothscale(large, (px, px))
@@ -55,6 +57,18 @@ def _pencil(large: pygame.Surface, colour: Colour) -> None:
     )
     for part in parts:
         pygame.draw.polygon(large, ink, [(x * size, y * size) for x, y in part])
+
+
+def _lamp(large: pygame.Surface, colour: Colour) -> None:
+    """A light bulb: glass, and two rings of its socket."""
+    size, ink = large.get_width(), (*colour, 255)
+    pygame.draw.circle(large, ink, (0.5 * size, 0.36 * size), 0.33 * size)
+    glass = ((0.22, 0.52), (0.78, 0.52), (0.66, 0.72), (0.34, 0.72))
+    pygame.draw.polygon(large, ink, [(x * size, y * size) for x, y in glass])
+    for y, wide in ((0.77, 0.34), (0.89, 0.22)):
+        ring = pygame.Rect(0, round(y * size), round(wide * size), round(0.08 * size))
+        ring.centerx = size // 2
+        pygame.draw.rect(large, ink, ring, border_radius=round(0.04 * size))
 
 
 def _gear(large: pygame.Surface, colour: Colour) -> None:

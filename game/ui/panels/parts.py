@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import pygame
 
+from game.aim import advice
 from game.aim.entry import BOXES, MINUS, MOST, Fault, shown
 from game.render.layout import Layout
 from game.render.parts import cards, fields, icons
@@ -19,7 +20,7 @@ from game.table.own_table import is_own
 from game.ui.sight import Place, Sight
 from game.ui.table.looks import ball_words
 
-from . import prompts, tray, warning
+from . import coach_words, prompts, tray, warning
 
 WARNINGS = ("miscue",)
 """Notices of something that was put right, so that the shot can be played."""
@@ -173,7 +174,10 @@ def hint(session: Session, w: dict[str, str]) -> tuple[str, bool]:
 
 
 def _noticed(notice: Notice, session: Session, w: dict[str, str]) -> str:
+    if notice.key == "coach.found":
+        return coach_words.said(advice.read(notice.about), w)
     names = {"law": w[f"law.{session.law}"], "engine": w[f"engine.{session.engine}"]}
+    names["level"] = w.get(f"set.level.{notice.about}", "")
     names["ball"] = ball_words(notice.about, w) if notice.about else ""
     return w[f"notice.{notice.key}"].format(*notice.about.split(), **names)
 
@@ -221,19 +225,22 @@ def _short_badge(session: Session, w: dict[str, str]) -> str:
 
 
 TOOLS = {
+    "coach": Action("coach", 1),
     "sketch": Action("sketch"),
     "menu": Action("sheet", "menu"),
     "mute": Action("mute"),
     "settings": Action("settings"),
 }
 """The small buttons at the top right of the card, and what they do."""
+TOOL = 20
+"""Side of one, px at s = 1."""
 
 
 def _tools(rect: pygame.Rect, sight: Sight) -> dict[str, pygame.Rect]:
-    side = round(24 * sight.layout.s)
+    side = round(TOOL * sight.layout.s)
     left = rect.right - round(6 * sight.layout.s) - len(TOOLS) * side
     return {
-        name: pygame.Rect(left + i * side, rect.y + round(5 * sight.layout.s), side, side)
+        name: pygame.Rect(left + i * side, rect.y + round(7 * sight.layout.s), side, side)
         for i, name in enumerate(TOOLS)
     }
 
@@ -245,7 +252,7 @@ def _engine_key(sight: Sight) -> Hashable:
 
 def _engine_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     first, second = badge(sight.session, sight.words)
-    kept = 24 * len(TOOLS)
+    kept = TOOL * len(TOOLS)
     if sight.type.width(first, 13) > rect.w - (42 + kept) * sight.layout.s:
         first = _short_badge(sight.session, sight.words)
     cards.engine(surface, rect, sight.type, first, second, sight.words["corner"], kept=kept)

@@ -36,7 +36,8 @@ def key(session: Session, aids: str) -> object:
     if aiming(session):
         if session.arranging:
             return "arrange", session.held_ball, session.stamp, in_hand(session)
-        return "aim", session.preview_key, aids, computer(session), call_of(session)
+        theirs = computer(session), coached(session)
+        return "aim", session.preview_key, aids, theirs, call_of(session)
     if session.shown_shot:
         at = None if session.timeline.runs else session.timeline.at
         return (
@@ -80,7 +81,7 @@ def _aim(
     holes: Mapping[str, Hole],
 ) -> Rects:
     """Draw what the next shot will do, as far as `aids` show it."""
-    aids = "full" if computer(session) else aids
+    aids = "full" if computer(session) or coached(session) else aids
     if aids == "off":
         return []
     preview = session.preview
@@ -142,6 +143,11 @@ def in_hand(session: Session) -> str:
 def computer(session: Session) -> bool:
     """Does the computer show what it intends?"""
     return session.contest is not None and session.contest.level is not None
+
+
+def coached(session: Session) -> bool:
+    """Is it the coach's stroke that is on show?  It is shown whole, whatever the aids."""
+    return session.notice is not None and session.notice.key == "coach.found"
 
 
 def _direction(surface: pygame.Surface, layout: Layout, session: Session) -> Rects:

@@ -1,0 +1,25 @@
+"""English: ways to score that the coach shows."""
+
+WORDS = {
+    "key.coach 1": "show me a shot",
+    "row.hints": "Coach",
+    "set.level": "Your level",
+    "set.level.novice": "novice",
+    "set.level.club": "club",
+    "set.level.expert": "expert",
+    "set.level.master": "master",
+    "set.level.perfect": "no error",
+    "notice.refused.coach": "no coach in this match",
+    "notice.coach.searching": "The coach looks for shots ({level}) …",
+    "notice.coach.none": "The coach finds no shot here",
+    "notice.coach.failed": "The coach cannot search here",
+    "notice.coach.game": "The coach needs a game · @[sheet menu]",
+    "notice.coach.found": "{place}/{count} · {share} % · {hit} · {tip}",
+    "coach.hit": "{ball} {eighths}/8 {side}",
+    "coach.hit.full": "{ball} full",
+    "coach.hit.none": "cushion first",
+    "coach.left": "left",
+    "coach.right": "right",
+    "coach.tip": "{hour} o'clock",
+    "coach.tip.centre": "centre",
+}

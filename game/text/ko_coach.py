@@ -1,0 +1,25 @@
+"""한국어: 코치가 보여 주는 길."""
+
+WORDS = {
+    "key.coach 1": "길 보기",
+    "row.hints": "코치",
+    "set.level": "내 실력",
+    "set.level.novice": "초보",
+    "set.level.club": "동호인",
+    "set.level.expert": "고수",
+    "set.level.master": "선수급",
+    "set.level.perfect": "오차 없음",
+    "notice.refused.coach": "이 경기에서는 코치에게 물을 수 없습니다",
+    "notice.coach.searching": "코치가 길을 찾는 중 ({level}) …",
+    "notice.coach.none": "코치가 찾은 길이 없습니다",
+    "notice.coach.failed": "여기서는 코치가 찾을 수 없습니다",
+    "notice.coach.game": "먼저 게임을 고르세요 · @[sheet menu]",
+    "notice.coach.found": "{place}/{count} · {share} % · {hit} · {tip}",
+    "coach.hit": "{ball} {side} {eighths}/8",
+    "coach.hit.full": "{ball} 정면",
+    "coach.hit.none": "쿠션 먼저",
+    "coach.left": "왼쪽",
+    "coach.right": "오른쪽",
+    "coach.tip": "{hour}시",
+    "coach.tip.centre": "중앙",
+}

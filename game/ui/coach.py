@@ -1,0 +1,102 @@
+"""The coach beside the table: asked with a key, it searches in a process of its own."""
+
+from __future__ import annotations
+
+from danggu.players.levels import LEVELS
+from danggu.players.solution import Solution
+from danggu.rules import GAMES
+from danggu.rules.verdict import Rules, Turn
+from game.aim import advice
+from game.computer.aide import Aide
+from game.computer.search import ways
+from game.session.action import Action
+from game.session.session import Session
+
+FREE = ("three-cushion", "four-ball")
+"""What is played on the free table, by its balls."""
+
+
+class Coach:
+    """The ways to score from the position on the table, and the search for them."""
+
+    def __init__(self) -> None:
+        self.aide = Aide(ways)
+        self._ticket: int | None = None
+        self._asked = 0
+        self._about: object = None
+        self._ways: list[Solution] = []
+        self._place = 0
+
+    @property
+    def searching(self) -> bool:
+        """Is the search going on?"""
+        return self._ticket is not None
+
+    def look(self, session: Session, level: str) -> Action | None:
+        """What the game is to do: the next way, if the coach was asked for it or has found it.
+
+        Ways from where the balls do not lie any more are forgotten.
+        """
+        steps, self._asked = session.coaching - self._asked, session.coaching
+        if self._about is not None and self._about != _about(session, level):
+            self._forget()
+        if steps:
+            return self._step(session, level, steps)
+        news = None if self._ticket is None else self.aide.look(self._ticket)
+        if news is None:
+            return None
+        self._ticket = None
+        self._ways = news.value if news.kind == "done" else []
+        if self._ways:
+            self._place = 0
+            return self._way(level)
+        session.say("coach.none" if news.kind == "done" else "coach.failed", error=True)
+        return None
+
+    def close(self) -> None:
+        """End the search, and its process."""
+        self.aide.close()
+
+    def _step(self, session: Session, level: str, steps: int) -> Action | None:
+        if self._ways:
+            self._place = (self._place + steps) % len(self._ways)
+            return self._way(level)
+        found = played(session)
+        if found is None:
+            session.say("coach.game", error=True)
+            return None
+        session.say("coach.searching", about=level)
+        if self._ticket is None:
+            self._about = _about(session, level)
+            skill = next(one for one in LEVELS if one.key == level)
+            self._ticket = self.aide.ask(session.world.copy(), *found, skill)
+        return None
+
+    def _way(self, level: str) -> Action:
+        count = len(self._ways)
+        way = advice.of(self._ways[self._place], self._place + 1, count, level)
+        return Action("suggest", way.line())
+
+    def _forget(self) -> None:
+        if self._ticket is not None:
+            self.aide.forget()
+        self._ticket, self._ways, self._about = None, [], None
+
+
+def played(session: Session) -> tuple[Rules, Turn] | None:
+    """The game and whose stroke it is; on the free table by its balls, None if by no game's."""
+    if session.contest is not None:
+        match = session.contest.match
+        return match.rules, match.turn
+    names = {ball.name for ball in session.world.balls}
+    for game in FREE:
+        rules = GAMES[game]()
+        if names == {*rules.balls} and session.cue in rules.cues:
+            return rules, Turn(session.cue)
+    return None
+
+
+def _about(session: Session, level: str) -> object:
+    """What a search is for."""
+    match = None if session.contest is None else session.contest.match
+    return id(session.world), session.cue, tuple(session.world.layout()), match, level
