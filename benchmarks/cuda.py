@@ -100,7 +100,7 @@ def ptx() -> str:
     world.plan()
     n = len(world.balls)
     part = Part.room(1, n, 1)
-    given = np.empty((1, 6)), np.empty((1, n, 2)), np.empty((n, 9)), 0, 0, 0
+    given = np.empty((1, 6)), np.empty((1, n, 2)), np.empty((n, 9)), 0, 0, 0, 0
     own, shared = card.lanes(world.scene)
     arguments = [*given, *part, *(row[None] for row in own), *shared]
     signature = numba.void(*map(numba.typeof, arguments))

@@ -57,6 +57,7 @@ class OnCard(NamedTuple):
     struck: int
     contacts: int
     budget: int
+    until: int
     chunk: int = CHUNK
     compiled: bool = True
 
@@ -67,7 +68,7 @@ class OnCard(NamedTuple):
             given = (cuda.to_device(np.ascontiguousarray(a)) for a in (table, places, self.before))
             out = [cuda.to_device(column) for column in part]
             rests, times, counts, kept, found = out
-            how = self.struck, self.budget, self.contacts
+            how = self.struck, self.budget, self.contacts, self.until
             launch(
                 min(len(table), THREADS), self.scene,
                 *given, *how, rests, times, counts, kept, found,
@@ -79,7 +80,7 @@ class OnCard(NamedTuple):
         return part
 
 
-def job_on(world: World, asked: Asked, contacts: int) -> OnCard:
+def job_on(world: World, asked: Asked, contacts: int, until: int) -> OnCard:
     """What plays the shots; ValueError for a world that no card plays, RuntimeError without one."""
     if not isinstance(world.engine, EventDriven) or world.cluster_law is not None:
         raise ValueError(
@@ -92,7 +93,7 @@ def job_on(world: World, asked: Asked, contacts: int) -> OnCard:
     if not cuda.is_available():
         raise RuntimeError(f"device='cuda': numba finds no CUDA device: {cuda.cuda_error()}")
     budget = int(min(world.engine.budget, ENDLESS))
-    return OnCard(world.scene, asked.before, asked.struck, contacts, budget)
+    return OnCard(world.scene, asked.before, asked.struck, contacts, budget, until)
 
 
 @cache

@@ -10,7 +10,7 @@ from .subset import kernel, thread, threads
 
 @kernel
 def play(
-    shots, places, before, struck, budget, most,
+    shots, places, before, struck, budget, most, until,
     rests, times, counts, kept, found,
     balls, meetings, member, contacts, chosen, blows, head, seats, tree, neighbours, ways, near,
     walls, cloth, ball_rule, cushion_rule, rules, frame, bands, openings,
@@ -32,7 +32,7 @@ def play(
         )  # fmt: skip
         for s in range(mine, len(shots), threads()):
             only = slice(s, s + 1)  # of no places, none
-            notes = Notes(most, kept[only], found[only], ways[mine], near[mine])
+            notes = Notes(most, kept[only], found[only], ways[mine], near[mine], until)
             many(
                 before, places[only], shots[only], struck, rests[only], times[only], counts[only],
                 budget, scene, notes,
