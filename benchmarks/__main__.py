@@ -13,6 +13,7 @@ COMMANDS = {
     "peers": "pymunk, the thesis's program and pooltool on the same scenes",
     "skips": "every shortcut switched off in turn: time, work, and that no bit changes",
     "batch": "shots a second, by threads and by executor",
+    "cuda": "a graphics card: every bit the CPU's, and shots a second",
     "envs": "environments: steps a second, and what plain players score",
     "coach": "the coach: whether its shares hold, and what it scores at each level",
     "frame": "the game: update and drawing, moving and idle, and its start",

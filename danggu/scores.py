@@ -36,35 +36,38 @@ class Scores(NamedTuple):
 def scores(
     world: World, ball: str, shots: Any, rules: Rules, *, level: Level | None = None,
     copies: int = 1, seed: int | None = 0, executor: Executor | None = None,
-    progress: Callable[[int], object] | None = None,
+    progress: Callable[[int], object] | None = None, early: bool = False,
 ) -> Scores:  # fmt: skip
     """What each of the shots (shots, 6) at `ball` is worth by the rules, from the world as it is.
 
     level: of the player; each shot is then played `copies` times with its errors, drawn from the
     seed. None: as it is.
     executor, progress: as in `simulate_many`; a copy is a shot.
+    early: end each shot when its verdict is settled. That changes no verdict: only the contacts
+    after it are not played.
     ValueError for what `simulate_many` refuses.
     """
     rng, radius = np.random.default_rng(seed), world.ball(ball).radius
-    copies = copies if level else 1
+    copies, turn = copies if level else 1, Turn(cue=ball)
+    until = rules.enough(turn, [each.name for each in world.balls]) if early else ()
+    how: Any = {"executor": executor, "progress": progress, "until": until}
     worth = np.empty((len(shots), copies, 3))
     step = max(1, PIECE // copies)
     for k in range(0, len(shots), step):
         table = shots[k : k + step]
         if level is not None:
             table = missed(table, level, copies, radius, rng)
-        how: Any = {"executor": executor, "progress": progress}
-        worth[k : k + step] = _judged(world, ball, table, rules, how).reshape(-1, copies, 3)
+        worth[k : k + step] = _judged(world, turn, table, rules, how).reshape(-1, copies, 3)
     return Scores(*worth.mean(axis=1).T)
 
 
-def _judged(world: World, ball: str, table: Any, rules: Rules, how: dict[str, Any]) -> Any:
+def _judged(world: World, turn: Turn, table: Any, rules: Rules, how: dict[str, Any]) -> Any:
     """(shots, 3): points, made and foul of each."""
-    outcomes, turn = simulate_many(world, ball, table, contacts=KEPT, **how), Turn(cue=ball)
+    outcomes = simulate_many(world, turn.cue, table, contacts=KEPT, **how)
     found = rules.verdicts(outcomes, turn)
     worth = np.column_stack([found.points, found.made, found.foul]).astype(float)
     for k in np.flatnonzero(~found.certain):
-        log = simulate_many(world, ball, table[k : k + 1], contacts=ALL).log(0)
+        log = simulate_many(world, turn.cue, table[k : k + 1], contacts=ALL).log(0)
         verdict = rules.verdict(log, turn)
         worth[k] = verdict.points, verdict.made, verdict.foul
     return worth

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from math import inf
 from typing import TYPE_CHECKING
@@ -127,6 +127,9 @@ class Carom:
     def settles(self, verdict: Verdict) -> bool:
         """The second ball settles it, as does a first one that the opening stroke may not hit."""
         return verdict.reason not in (NO_BALL, ONE_BALL)
+
+    def enough(self, turn: Turn, balls: Sequence[str]) -> tuple[str, ...]:
+        return tuple(ball for ball in balls if ball != turn.cue)
 
     def _foul(self, reason: str, turn: Turn, done: Stroke, decided: float | None) -> Verdict:
         loss = turn.loss(self.penalty, floor_zero=self.floor_zero)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -43,6 +43,9 @@ class Free:
 
     def settles(self, verdict: Verdict) -> bool:
         return False
+
+    def enough(self, turn: Turn, balls: Sequence[str]) -> tuple[str, ...]:
+        return ()
 
     def verdict(self, log: Iterable[Logged], turn: Turn) -> Verdict:
         return self.judge(stroke(log, turn.cue), turn)

@@ -5,7 +5,7 @@ No federation governs these rules; what differs from house to house is an option
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -96,6 +96,10 @@ class Sagu:
     def settles(self, verdict: Verdict) -> bool:
         """A foul on the opponent's ball stays; a point is open while that ball may yet be met."""
         return verdict.reason in (OPPONENT_BALL, OFF_TABLE)
+
+    def enough(self, turn: Turn, balls: Sequence[str]) -> tuple[str, ...]:
+        others = tuple(cue for cue in self.cues if cue != turn.cue and cue in balls)
+        return others if len(others) == 1 else ()
 
     def _foul(self, reason: str, turn: Turn, seen: Facts) -> Verdict:
         return Verdict(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
@@ -165,6 +165,11 @@ class Rules(Protocol):
 
     def settles(self, verdict: Verdict) -> bool:
         """Whether no later contact can change a verdict on a stroke that is still running."""
+        ...
+
+    def enough(self, turn: Turn, balls: Sequence[str]) -> tuple[str, ...]:
+        """Of the balls on the table those that settle a stroke: when the cue ball has met all of
+        them, only a ball that leaves the table can change the verdict.  (): none do."""
         ...
 
 

@@ -245,7 +245,7 @@ def _play_nothing(package: ModuleType) -> None:
         notes = package.body.Notes(0, no((0, 0), contact_type()), no(0, int), *near(1, 0))
         package.calendar.many(
             no((1, COLUMNS)), no((0, 1, 2)), no((0, NUMBERS)), 0,
-            no((0, 1, 2)), no(0), no(0, int), 0, _packed(still, package.body), notes,
+            no((0, 1, 2)), no(0), no(0, int), 0, pack(still, package.body), notes,
         )  # fmt: skip
     finally:
         if collects:
@@ -297,14 +297,15 @@ def packed(scene: Scene) -> Any:
             from .pointers import address
 
             rule.address = address(rule.law, ball)
-    return _packed(scene, body)
+    return pack(scene, body)
 
 
 def _cushions(scene: Scene) -> tuple[Rule, ...]:
     return scene.cushion_rule, *scene.rules
 
 
-def _packed(scene: Scene, body: Any) -> Any:
+def pack(scene: Scene, body: Any) -> Any:
+    """The scene in arrays, in the classes of that module."""
     import numpy as np
 
     cells = scene.grid

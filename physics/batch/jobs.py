@@ -34,6 +34,7 @@ class Job(NamedTuple):
     struck: the number of the ball.
     contacts: how many of each shot are kept.
     budget: how many events a shot may have.
+    until: the balls that it is played until they have been met, as body.Notes has them.
     compiled: by the compiled kernel?  None: not decided yet.
     chunk: how many shots are played at once.
     """
@@ -43,6 +44,7 @@ class Job(NamedTuple):
     struck: int
     contacts: int
     budget: int
+    until: int
     compiled: bool | None
     chunk: int
 
@@ -61,7 +63,7 @@ class Job(NamedTuple):
         from physics.batch.ready import take
 
         mine, back = take(self.scene)
-        notes = mine.notes(self.contacts, part.contacts, part.dropped, *mine.near)
+        notes = mine.notes(self.contacts, part.contacts, part.dropped, *mine.near, self.until)
         mine.many(
             self.before, places, table, self.struck, *part[:3], self.budget, mine.scene, notes
         )
@@ -87,7 +89,7 @@ class Job(NamedTuple):
     def _notes(self) -> Notes:
         balls, walls, most = len(self.before), len(self.scene.walls), self.contacts
         ways, near = [Way() for _ in range(balls)], [True] * (balls * walls)
-        return Notes(most, [[Kept() for _ in range(most)]], [0], ways, near)
+        return Notes(most, [[Kept() for _ in range(most)]], [0], ways, near, self.until)
 
 
 class OneByOne(NamedTuple):
@@ -126,7 +128,7 @@ def _rest(ball: Ball) -> tuple[float, float]:
 
 
 def job_of(
-    world: World, asked: Asked, contacts: int, compiled: bool | None, chunk: int
+    world: World, asked: Asked, contacts: int, until: int, compiled: bool | None, chunk: int
 ) -> Job | OneByOne:
     """What plays the shots, so many at a time; ValueError if it cannot be compiled and must be."""
     if isinstance(world.engine, EventDriven) and world.cluster_law is None:
@@ -141,7 +143,10 @@ def job_of(
         if choice is None and loaded():
             choice = True
         budget = int(min(world.engine.budget, ENDLESS))
-        return Job(world.scene, asked.before, asked.struck, contacts, budget, choice, chunk)
+        how = contacts, budget, until, choice, chunk
+        return Job(world.scene, asked.before, asked.struck, *how)
+    if until:
+        raise ValueError("simulate_many until= needs the engine EventDriven, and no cluster law")
     if compiled:
         raise ValueError("this engine or cluster law runs interpreted: not with compiled=True")
     return OneByOne(world.copy(), asked.names[asked.struck], contacts)

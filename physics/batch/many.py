@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor
 from functools import cache
 from types import ModuleType
@@ -41,7 +41,7 @@ def simulate_many(
     world: World, ball: Ball | str, shots: Sequence[Shot] | npt.ArrayLike | None = None, *,
     positions: npt.ArrayLike | None = None, contacts: int = 0, executor: Executor | None = None,
     compiled: bool | None = None, progress: Callable[[int], object] | None = None,
-    **numbers: Unpack[Numbers],
+    device: str = "cpu", until: Iterable[str] = (), **numbers: Unpack[Numbers],
 ) -> Outcomes:  # fmt: skip
     """The outcome of each shot at `ball`, all from the state the world is in, which stays as it is.
 
@@ -57,19 +57,50 @@ def simulate_many(
     numba where it is installed and worth it. The digits are the same, and those of `simulate` if
     all balls lie still before the shot.
     progress: called with the number of shots done since it was last called.
-    ValueError names a bad shot, number, position (with its shot), executor or progress; other
-    errors are those of a run.
+    device: "cuda" plays on a graphics card (the extra `cuda`), with the same digits; not yet run on
+    hardware. ImportError without numba, RuntimeError without a card.
+    until: names of balls: a shot is over with the first event after the ball has met all of them,
+    if nothing is in the air and the table is closed; positions and times are then those of that
+    moment, when balls may still move. (): to rest. Needs contacts.
+    ValueError names a bad shot, number, position (with its shot), executor, progress, device or
+    until, and custom laws and engines that a card does not play; other errors are those of a run.
     """
+    contacts = _checked(executor, progress, contacts)
+    work = _work()
+    asked = work.asked_of(world, ball, shots, numbers, positions)
+    enough = work.wanted(asked, until, contacts) if until else 0
+    if device == "cpu":
+        job = work.job_of(world, asked, contacts, enough, compiled, CHUNK)
+    else:
+        job = _card(device, executor, compiled).job_on(world, asked, contacts, enough)
+    outcomes: Outcomes = work.play(world, asked, job, executor, progress)
+    return outcomes
+
+
+def _checked(executor: object, progress: object, contacts: int) -> int:
+    """The number of contacts; ValueError for what does no work, is not called, or is no number."""
     if executor is not None and not hasattr(executor, "submit"):
         raise ValueError(f"simulate_many executor must have a submit, not be {executor!r}")
     if progress is not None and not callable(progress):
         raise ValueError(f"simulate_many progress must be callable, not {progress!r}")
-    contacts = whole("simulate_many contacts", contacts, 0, MOST)
-    work = _work()
-    asked = work.asked_of(world, ball, shots, numbers, positions)
-    job = work.job_of(world, asked, contacts, compiled, CHUNK)
-    outcomes: Outcomes = work.play(world, asked, job, executor, progress)
-    return outcomes
+    return whole("simulate_many contacts", contacts, 0, MOST)
+
+
+def _card(device: str, executor: Executor | None, compiled: bool | None) -> ModuleType:
+    """What plays batches on a graphics card; ImportError without numba."""
+    if device != "cuda":
+        raise ValueError(f"simulate_many device must be 'cpu' or 'cuda', not {device!r}")
+    if executor is not None or compiled is False:
+        wrong = "executor" if executor is not None else "compiled=False"
+        raise ValueError(f"simulate_many device='cuda' does the work itself: no {wrong}")
+    try:
+        from . import cuda
+    except ImportError as error:
+        raise ImportError(
+            f"simulate_many device='cuda' needs the extra `cuda` (pip install 'danggu[cuda]'):"
+            f" {error}"
+        ) from error
+    return cuda
 
 
 @cache

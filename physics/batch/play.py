@@ -15,9 +15,9 @@ from physics.world import World
 
 from .jobs import Job, OneByOne, job_of
 from .outcomes import Outcomes, Part
-from .shots import Asked, asked_of, laid
+from .shots import Asked, asked_of, laid, wanted
 
-__all__ = ["asked_of", "job_of", "play"]
+__all__ = ["asked_of", "job_of", "play", "wanted"]
 
 PILOT = 16  # shots that are played before it is decided: 3 ms
 LOADING = 1.0  # s, of the compiled kernel

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -18,6 +18,9 @@ from physics.shot import NUMBERS, Shot, rows
 if TYPE_CHECKING:
     from physics.ball import Ball
     from physics.world import World
+
+
+MARKED = 62  # balls that a whole number of the kernel has room to mark
 
 
 class Asked(NamedTuple):
@@ -56,6 +59,22 @@ def asked_of(
     places = places_of(world, struck, positions)
     table = table_of(shots, numbers, len(places))
     return Asked(names, struck, table, places, np.zeros((len(names), COLUMNS)))
+
+
+def wanted(asked: Asked, until: Iterable[str], contacts: int) -> int:
+    """The balls that a shot is played until they have been met, as kernel.body.Notes has them;
+    ValueError for what is no other ball, and where no contacts are kept."""
+    found = 0
+    for name in until:
+        if name not in asked.names or name == asked.names[asked.struck]:
+            others = [each for each in asked.names if each != asked.names[asked.struck]]
+            raise ValueError(f"until {name!r:.60}: the other balls are {', '.join(others)}")
+        found |= 1 << asked.names.index(name)
+    if found and contacts == 0:
+        raise ValueError("simulate_many until= needs contacts=: how many are kept")
+    if found >= 1 << MARKED:
+        raise ValueError(f"simulate_many until= takes the first {MARKED} balls of a world")
+    return found
 
 
 def before_of(world: World) -> Any:

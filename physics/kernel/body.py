@@ -154,13 +154,15 @@ class Seat:
 
 @dataclass(slots=True, eq=False)
 class Way:
-    """A leg, kept after its ball has begun another, as long as it is near a wall."""
+    """A leg, kept after its ball has begun another, as long as it is near a wall; and when the ball
+    that was struck first met the ball."""
 
     near: int = 0  # how many walls the ball has not left since they last touched
     since: float = 0.0
     position: complex = 0j
     velocity: complex = 0j
     acceleration: complex = 0j
+    met: float = inf
 
 
 @dataclass(slots=True, eq=False)
@@ -182,6 +184,7 @@ class Notes(NamedTuple):
     found: Any  # how many each shot has had
     ways: Any  # for each ball
     near: Any  # has ball i not left wall k since they last touched?  At i * walls + k
+    until: int = 0  # the balls that a shot is played until they have been met, ball i as 1 << i
 
 
 ROOMY = 2.11  # radii: a cell at least, so that all that may touch is in it or beside it

@@ -25,7 +25,7 @@ from .kinds import (
 from .lasting import FEW, NEVER, forget, lean, leans, meets_slowly, rests_on
 from .laws import hit_ball, hit_wall, law_at
 from .leg import begin, brake, carry, end, reach
-from .notes import note, open_notes
+from .notes import all_met, note, open_notes
 from .obstacle import facing, meet_any, meet_first, meet_first_aloft, meet_framed
 from .opening import leave_through
 from .plastic import SQUEEZED
@@ -300,11 +300,11 @@ def go_on(members, scene):
 
 
 @whole
-def advance(until, budget, scene, notes=None, s=0):
+def advance(until, budget, scene, notes=None, s=0, struck=-1):
     """Everything that happens up to `until`: (how much it was, when the last of it was).
 
     UNKNOWN events, if impulses between balls that touch could not be found. What happens is kept in
-    the notes, if there are any, as that of shot s.
+    the notes, if there are any, as that of shot s; they may say when it is enough.
     """
     balls = scene.balls
     events, last = 0, 0.0
@@ -318,6 +318,8 @@ def advance(until, budget, scene, notes=None, s=0):
             return UNKNOWN, time
         if notes is not None and notes.most > 0:
             note(kind, i, other, time, s, scene, notes)
+            if notes.until > 0 and all_met(kind, i, other, time, struck, scene, notes):
+                budget = -1  # enough
         if kind in (CLUSTER, LASTING):
             happened = blows(other, scene.ties)
             events += happened
@@ -342,7 +344,10 @@ def many(before, places, shots, struck, rests, times, counts, budget, scene, not
         if notes.most > 0:
             notes.found[s] = 0
             open_notes(balls, len(scene.walls), notes.ways, notes.near)
-        counts[s], times[s] = advance(inf, budget, scene, notes, s)
+        counts[s], times[s] = advance(inf, budget, scene, notes, s, struck)
+        if notes.until > 0:
+            for i in range(len(balls)):
+                carry(balls[i], times[s], scene.cloth)
         for i in range(len(balls)):
             gone = balls[i].phase >= OFF
             rests[s][i][X] = balls[i].position.real if not gone else nan

@@ -2,9 +2,10 @@
 
 from .gap import leaves
 from .impulses import WALL
-from .kinds import CLUSTER, CUSHION, DROP, LASTING, LEAVE, NOTHING, PAIR
-from .subset import kernel, whole
+from .kinds import AIRBORNE, CLUSTER, CUSHION, DROP, LASTING, LEAVE, NOTHING, PAIR
+from .subset import inf, kernel, whole
 
+TOGETHER = 2e-9  # s: rules call what is closer (1e-9) one instant
 BALL_TOUCH, CUSHION_TOUCH, POCKET_TOUCH, OFF_TOUCH = 1, 2, 3, 4  # in the notes; 0 is none
 
 
@@ -12,7 +13,7 @@ BALL_TOUCH, CUSHION_TOUCH, POCKET_TOUCH, OFF_TOUCH = 1, 2, 3, 4  # in the notes;
 def open_notes(balls, walls, ways, near):
     """A shot begins: every ball may lie at any wall."""
     for i in range(len(balls)):
-        ways[i].near = walls
+        ways[i].near, ways[i].met = walls, inf
         set_off(balls[i], ways[i])
     for k in range(len(near)):
         near[k] = True
@@ -97,3 +98,37 @@ def enter(what, again, i, other, time, s, most, contacts, found):
         touch.kind, touch.again = what, again
         touch.first, touch.second, touch.time = i, other, time
     found[s] += 1
+
+
+@whole
+def all_met(kind, i, other, time, struck, scene, notes):
+    """After this event of ball i: has the ball that was struck met all balls in notes.until, more
+    than an instant ago, and can none leave the table any more?"""
+    ways, balls = notes.ways, scene.balls
+    if kind == PAIR:
+        meet(i, other, struck, time, ways)
+    elif kind in (CLUSTER, LASTING):
+        meet_group(other, struck, time, scene.ties.contacts, ways)
+    for k in range(len(balls)):
+        if balls[k].phase == AIRBORNE:
+            return False
+        if notes.until >> k & 1 == 1 and not ways[k].met < time - TOGETHER:
+            return False
+    return len(scene.openings) == 0
+
+
+@kernel
+def meet(i, j, struck, time, ways):
+    """Balls i and j have met."""
+    if i == struck:
+        ways[j].met = min(ways[j].met, time)
+    elif j == struck:
+        ways[i].met = min(ways[i].met, time)
+
+
+@kernel
+def meet_group(contacts, struck, time, ties, ways):
+    """So many contacts of one instant."""
+    for c in range(contacts):
+        if ties[c].total > 0.0 and ties[c].second > WALL:
+            meet(ties[c].first, ties[c].second, struck, time, ways)

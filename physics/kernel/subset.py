@@ -53,3 +53,13 @@ def custom_cushion(v: complex, roll: complex, side: float, rule: Any) -> Any:
 def custom_ball(v: complex, roll: complex, side: float, mass: float, rule: Any) -> Any:
     """A custom ball law."""
     return rule.function(v, roll, side, mass)
+
+
+def thread() -> int:
+    """The number of the thread that plays, see kernel/lanes.py."""
+    return 0
+
+
+def threads() -> int:
+    """And how many there are."""
+    return 1

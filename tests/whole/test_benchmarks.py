@@ -43,7 +43,7 @@ def test_a_measurement_writes_its_page_and_its_numbers(command, tmp_path, capsys
         assert 1000 < picture.stat().st_size < 150_000
 
 
-@pytest.mark.parametrize("command", [*NEEDS, "all", "golden", "stress"])
+@pytest.mark.parametrize("command", [*NEEDS, "all", "cuda", "golden", "stress"])
 def test_every_command_says_how_it_is_used(command, capsys):
     with pytest.raises(SystemExit) as left:
         benchmarks.main([command, "--help"])
