@@ -132,6 +132,13 @@ def test_the_tray_has_a_slot_for_each_ball_and_the_plates_say_the_groups():
     assert tray.slots(app_of("snooker").session)[0] == "red"
 
 
+def test_the_tray_follows_the_ball_that_is_played_with():
+    app = app_of("free-pyramid")
+    press(app, "return", "k", "k", "k")
+    assert app.session.cue not in tray.slots(app.session)
+    assert_same_as_anew(app)
+
+
 @pytest.mark.parametrize("game", GAMES)
 @pytest.mark.parametrize("lang", ["en", "ko"])
 def test_a_few_strokes_of_each_game_by_keys_look_the_same_in_part_and_anew(game, lang):

@@ -31,7 +31,7 @@ def key(sight: Sight) -> Hashable:
     session = sight.session
     gone = tuple(ball.gone for ball in session.world.balls)
     contest = session.contest
-    return gone, contest and contest.match.state, contest and contest.match.at, sight.settings
+    return gone, session.cue, contest and contest.match, sight.settings
 
 
 def slots(session: Session) -> list[str]:
