@@ -164,7 +164,7 @@ TABLE = (
             aims=True),
     Command("call", match.call, text("WHAT"), (Key("s", "safety"), Key("u", "push")),
             (HelpRow("aim", 11, "@call safety @call push", "help.safety"),), aims=True),
-    Command("put", match.put, numbers('"X Y"', 2)),
+    Command("put", match.put, numbers('"X Y"', 2), drags=True),
     Command("answer", match.answer, text("OPTION"), aims=True),
     Command("help", table.keys, keys=(Key("f1", always=True),),
             rows=(HelpRow("always", 1, "@help", "help.help"),), keeps_notice=True),

@@ -143,7 +143,7 @@ WORDS = {
     "call.push": "Push out",
     "call.cue": "plays the {ball}",
     "down.title": "Balls down",
-    "hint.placed": "@[arrange] moves the ball · Enter shoots",
+    "hint.placed": "Drag or @[arrange]: ball · Enter shoots",
     "hint.hand": "Arrows or drag place it · Enter",
     "hint.rack": "Enter: next rack · @[retry] retry",
     "hint.call": "@[ball 1] ball · @[pocket 1] pocket · @[call safety] safety",

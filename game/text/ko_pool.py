@@ -143,7 +143,7 @@ WORDS = {
     "call.push": "푸시아웃",
     "call.cue": "{ball} 치기",
     "down.title": "들어간 공",
-    "hint.placed": "@[arrange] 공 옮기기 · Enter 치기",
+    "hint.placed": "끌기, @[arrange] 공 옮기기 · Enter 치기",
     "hint.hand": "화살표나 끌기로 놓기 · Enter",
     "hint.rack": "Enter 다음 랙 · @[retry] 다시",
     "hint.call": "@[ball 1] 공 · @[pocket 1] 포켓 · @[call safety] 세이프티",

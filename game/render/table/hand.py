@@ -9,7 +9,7 @@ import pygame
 
 from game.render.arrays import Points
 from game.render.layout import Layout
-from game.render.theme import ACCENT, WHITE
+from game.render.theme import ACCENT, ERROR, WHITE
 from physics import tables
 
 from . import lines
@@ -99,3 +99,20 @@ def held(
         point = x + u * tip, y + v * tip
         rect = rect.union(lines.polygon(surface, [point, *wings], ACCENT, 0.95))
     return rect
+
+
+def forbidden(
+    surface: pygame.Surface, centre: tuple[float, float], radius: float, s: float
+) -> pygame.Rect:
+    """Draw a barred ring where a ball of `radius` px may not be put."""
+    x, y = centre
+    rect, reach = lines.ring(surface, centre, radius, ERROR, 2.0 * s, 0.95), 0.7071 * radius
+    bar = [(x - reach, y - reach), (x + reach, y + reach)]
+    return rect.union(lines.polyline(surface, bar, ERROR, 2.0 * s, 0.95))
+
+
+def blocking(
+    surface: pygame.Surface, centre: tuple[float, float], radius: float, s: float
+) -> pygame.Rect:
+    """Draw a ring around the ball that is in the way; `radius` is the ball's, px."""
+    return lines.ring(surface, centre, radius + 3 * s, ERROR, 2.0 * s, 0.95)

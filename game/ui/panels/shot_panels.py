@@ -197,8 +197,9 @@ def _table_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
         return None
     if sight.pointer.pressing and (pocket := nominate.pocket_at(at, sight)):
         return Action("call", f"pocket {pocket}")
-    if session.arranging or not on_bed:
-        return None
+    held, action = place_balls.put_again(at, sight)
+    if held or session.arranging or not on_bed:
+        return action
     return drag_aim.touch(at, sight)
 
 
