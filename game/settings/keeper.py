@@ -11,7 +11,7 @@ from game.session.session import Session
 from game.session.terms import HUMAN
 
 from .kept_matches import KeptMatches
-from .statistics import Statistics
+from .statistics import Statistics, kept_name
 
 
 class Keeper:
@@ -65,10 +65,10 @@ class Keeper:
 
 
 def figures(contest: Contest) -> dict[str, tuple[scorecard.Totals, bool]]:
-    """What each person has done in a match, by name; players without a name are not added up."""
+    """What each person has done in a match, by name."""
     won = contest.match.winner if contest.race.winner is None else contest.race.winner
     return {
-        seat.name: (scorecard.totals(contest.card, index), won == index)
+        kept_name(seat.name, index): (scorecard.totals(contest.card, index), won == index)
         for index, seat in enumerate(contest.terms.seats)
-        if seat.level == HUMAN and seat.name
+        if seat.level == HUMAN
     }

@@ -100,7 +100,6 @@ WORDS = {
     "hint.match": "Drag: aim · Enter shoots · @[sheet menu]",
     "hint.rolling": "@[skip] skips · @[pause] pause · @[help] help",
     "hint.thinks": "Enter: play now · @[sheet menu] menu",
-    "hint.over.nameless": "@[sheet menu] rematch · no name: no statistics",
     "hint.over": "@[sheet menu] rematch, new game · @[retry] retry",
     "hint.arrange": "Drag balls · Tab, arrows · @[arrange] done",
     "state.arranging": "placing balls",

@@ -232,7 +232,7 @@ WORDS = {
     "sheet.share": "Made, %",
     "sheet.fouls": "Fouls",
     "sheet.career": "Matches so far",
-    "sheet.won": "won",
+    "sheet.won": "Won",
     "key.sheet score": "sheet of the match",
     "notice.match.unsaved": "The match cannot be saved",
     "notice.match.broken": "Matches broken · kept as .broken",

@@ -100,7 +100,6 @@ WORDS = {
     "hint.match": "끌어서 조준 · Enter 치기 · @[sheet menu]",
     "hint.rolling": "@[skip] 끝으로 · @[pause] 일시 정지 · @[help]",
     "hint.thinks": "Enter 바로 치기 · @[sheet menu] 메뉴",
-    "hint.over.nameless": "@[sheet menu] 다시 한 판 · 이름이 없어 통계 없음",
     "hint.over": "@[sheet menu] 다시 한 판, 새 게임 · @[retry] 다시",
     "hint.arrange": "공 끌기 · Tab, 화살표 · @[arrange] 마침",
     "state.arranging": "공을 놓는 중",

@@ -12,6 +12,7 @@ from game.session.action import Action
 from game.session.scorecard import Totals
 from game.settings.kept_matches import KeptMatches
 from game.settings.statistics import Figures, Statistics
+from game.ui.pages import score_page
 from tests.support.players import an_app, assert_same_as_anew, press, run_to_rest
 from tests.support.racked_games import playing
 
@@ -69,6 +70,19 @@ def test_a_match_that_is_over_is_offered_no_more_and_counts_in_the_figures(tmp_p
     assert app.keeper.offered() == ""
     assert app.keeper.statistics.of("Ann", "straight-rail").matches == 1
     assert app.keeper.statistics.of("Bo", "straight-rail").won == 1
+
+
+def test_figures_of_people_without_a_name_are_kept_by_their_seats_and_shown(tmp_path):
+    app = an_app_in(tmp_path, game="straight-rail", table="match", handicap="1", level="club")
+    contest = app.session.contest
+    app.perform(Action("play", "0.5 0 0 0 200"))
+    run_to_rest(app)
+    contest.match = replace(contest.match, winner=0)
+    app.update(1)
+    assert {*app.keeper.statistics.load()} == {"Player 1"}  # and none of the computer
+    career = app.view.pages["score"].career
+    assert score_page._ever(contest, 0, career).won == 1
+    assert score_page._ever(contest, 1, career).matches == 0
 
 
 @pytest.mark.parametrize(

@@ -82,6 +82,8 @@ def facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
     warned = match.state.warned
     if verdict.foul and warned and warned[contest.shooter]:
         return [*said, w["fact.warned"]]
+    if match.finished and contest.terms.discipline.points:
+        return said
     if match.finished:
         return [*said, w["fact.racks"].format(won=" : ".join(map(str, contest.race.won)))]
     passes = "fact.passes" if match.at != contest.shooter else "fact.same"
