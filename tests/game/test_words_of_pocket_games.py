@@ -10,7 +10,7 @@ from game.input.captions import words
 from game.render import theme
 from game.session.action import Action
 from game.ui.panels import rack_words, shot_panels, tray, warning
-from tests.support.players import FRAME, an_app, press
+from tests.support.players import FRAME, an_app, assert_same_as_anew, press
 from tests.support.racked_games import leave, playing
 
 
@@ -43,6 +43,13 @@ def test_the_reds_that_are_down_fill_their_slot_and_none_leave_it_empty():
     assert slot(app, "red").get_at((30, 30))[:3] == theme.PANEL
     leave(app.session, cue=(-1.0, 0.0), black=(1.0, 0.0), red1=(0.0, 0.0))
     assert slot(app, "red").get_at((30, 16))[:3] != theme.PANEL
+
+
+def test_a_set_up_without_reds_has_slots_for_the_balls_that_there_are():
+    app = an_app(size=(1280, 720), table="snooker")
+    app.perform(Action("line", "danggu1 snooker cue=0.0,0.0 black=1.0,0.3 pink=1.0,-0.3"))
+    assert tray.slots(app.session) == ["pink", "black"]
+    assert_same_as_anew(app)
 
 
 def test_the_ring_of_the_black_can_be_seen_on_the_panel():
