@@ -59,9 +59,9 @@ class Keeper:
             self._told = True
             self.session.say("match.unsaved", error=True)
 
-    def offered(self) -> str:
-        """The line of the match that can be gone on with, or ""."""
-        return self.matches.newest() if self.keeps else ""
+    def offered(self) -> tuple[str, ...]:
+        """The lines of the matches that can be gone on with, the newest first."""
+        return self.matches.lines() if self.keeps else ()
 
 
 def figures(contest: Contest) -> dict[str, tuple[scorecard.Totals, bool]]:
