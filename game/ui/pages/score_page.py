@@ -147,7 +147,7 @@ def _players(
 ) -> None:
     s, t, w = sight.layout.s, sight.type, sight.words
     step = area.w / 3
-    for index, seat in enumerate(contest.terms.seats):
+    for index in range(len(contest.terms.seats)):
         x, base = area.x + (index + 1) * step, area.y + 14 * s
         name = t.fitted(player_name(contest.terms, index, w), 15, step - 10 * s)
         t.draw(surface, name, (x, base), 15, theme.ACCENT)

@@ -131,8 +131,9 @@ def _taken(surface: pygame.Surface, layout: Layout, session: Session) -> Rects:
     region = in_hand(session)
     if not region:
         return [lines.ring(surface, centre, 1.45 * radius, ACCENT, 2.0 * layout.s, 0.95)]
-    room = hand.region(surface, layout, table, region)
-    return [room, hand.held(surface, centre, radius, layout.s), *_forbidden(surface, layout, session)]
+    rects = [hand.region(surface, layout, table, region)]
+    rects.append(hand.held(surface, centre, radius, layout.s))
+    return rects + _forbidden(surface, layout, session)
 
 
 def _refused(session: Session) -> Notice | None:
