@@ -40,7 +40,7 @@ class Session:
     version   goes up with every change: equal versions look the same
     news      goes up when more than the balls' places has changed, or is due to be read again
     lies      how the balls lay before the last shot
-    did       the last action's name
+    did       the last action's name; squirt: "on" or "off"
     match_engine  what a match from the menu is played with, whatever is in use before it
     """
 
@@ -57,7 +57,7 @@ class Session:
         self.substeps, self.language, self.edition = substeps, language, edition
         self.engine, self.match_engine = "exact", match_engine
         self.help = self.over = False
-        self.page = self.did = ""
+        self.page, self.did, self.squirt = "", "", "off"
         self.tick = self.calls = self.events = self.version = self.news = 0
         self.rng = random.Random(seed)
         self.history = History()
@@ -73,7 +73,7 @@ class Session:
         self.contest: Contest | None = None
         self.arranging = self.sketching = False
         """Are balls placed by hand, `held_ball` the next?  Is the cue ball's path drawn?"""
-        self.aim = Aim(strongest=edit.strongest(world))
+        self.aim = Aim(strongest=edit.strongest(world), squirts=self.squirt == "on")
         self.law, self.cloth = presets.law_of(world), "table"
         self.timeline = Timeline(world, world.time, stamp=self.timeline.stamp)
         self.notice: Notice | None = None

@@ -30,6 +30,7 @@ CHOICES: dict[str, tuple[str, ...]] = {
     "engine": tuple(presets.ENGINES),
     "aids": ("off", "short", "full"),
     "colours": ("usual", "safe"),
+    "squirt": ("off", "on"),
 }
 """What can be chosen; "table" is the cloth, and the laws, that a table comes with."""
 SIDE = 200, 16384
@@ -40,7 +41,7 @@ SIDE = 200, 16384
 class Settings:
     """The choices, each with its usual value.
 
-    language .. engine  as the commands of these names take them
+    language .. squirt  as the commands of these names take them
     aids, colours       keys of CHOICES
     volume              0 to LOUDEST
     still               reduced motion
@@ -55,6 +56,7 @@ class Settings:
     cloth: str = "table"
     law: str = "table"
     engine: str = "exact"
+    squirt: str = "off"
     aids: str = "full"
     colours: str = "usual"
     volume: int = 8
