@@ -1,4 +1,4 @@
-"""With squirt the cue stays where it points while the tip is moved, and the ball leaves its line."""
+"""With squirt the cue stays where it points while the tip moves, and the ball leaves its line."""
 
 from math import radians
 
