@@ -44,9 +44,10 @@ class Mark(NamedTuple):
     wall: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Story:
-    """What happened since a shot; times count from it, seconds."""
+    """What happened since a shot; times count from it, seconds. Each is equal only to itself, so
+    that what follows from it can be kept."""
 
     lanes: tuple[Travel, ...]
     events: tuple[Mark, ...]

@@ -364,9 +364,8 @@ class Session:
     @property
     def traced(self) -> tuple[str, ...]:
         """The balls whose traces are shown: all, unless there are too many to tell apart."""
-        names = tuple(ball.name for ball in self.world.balls)
-        if len(names) <= MOST_TRACED:
-            return names
+        if len(self.world.balls) <= MOST_TRACED:
+            return tuple(ball.name for ball in self.world.balls)
         ran, seen = self.shown_shot or self.moving, NO_STORY
         if ran or self.preview is not None:
             seen = self.forecast if ran or self.preview is None else self.preview.story

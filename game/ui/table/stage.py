@@ -179,7 +179,9 @@ class Stage:
     def _room(self, spot: Spot) -> pygame.Rect:
         """The square around a ball and its shadow, which a ball in the air leaves behind."""
         x, y = self.layout.to_screen(*spot.at)
-        reach = self._reach + ceil(FAR * max(0.0, spot.height) * self.layout.scale)
+        reach = self._reach
+        if spot.height > 0.0:
+            reach += ceil(FAR * spot.height * self.layout.scale)
         return pygame.Rect(int(x) - reach, int(y) - reach, 2 * reach, 2 * reach)
 
     def _fanned(self, session: Session) -> int:
