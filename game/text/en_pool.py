@@ -183,6 +183,7 @@ WORDS = {
     "fact.hand": "ball in hand",
     "fact.spotted": "spotted: {balls}",
     "fact.warned": "second foul in a row: the third loses",
+    "fact.frames": "frames {won}",
     "fact.racks": "racks {won}",
     "position.stop": "Stop",
     "position.stop_long": "Long stop",

@@ -183,6 +183,7 @@ WORDS = {
     "fact.hand": "수구 프리볼",
     "fact.spotted": "스폿: {balls}",
     "fact.warned": "2연속 파울: 한 번 더면 패배",
+    "fact.frames": "프레임 {won}",
     "fact.racks": "랙 {won}",
     "position.stop": "멈춤샷",
     "position.stop_long": "긴 멈춤샷",

@@ -85,7 +85,8 @@ def facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
     if match.finished and contest.terms.discipline.points:
         return said
     if match.finished:
-        return [*said, w["fact.racks"].format(won=" : ".join(map(str, contest.race.won)))]
+        word = "fact.frames" if match.rules.key == FRAMES else "fact.racks"
+        return [*said, w[word].format(won=" : ".join(map(str, contest.race.won)))]
     passes = "fact.passes" if match.at != contest.shooter else "fact.same"
     if match.at != contest.shooter and contest.in_hand and verdict.foul:
         return [*said, w[passes], w["fact.hand"]]

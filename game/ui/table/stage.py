@@ -16,7 +16,7 @@ from game.render.table.finish import FINISHES
 from game.session.session import Session
 from game.settings.settings import Settings
 
-from . import labels, marks, preview_lines
+from . import balklines, labels, marks, preview_lines
 from .cue_pose import Pose, pose
 from .dropped import AWAY, Dropped
 from .furniture import falls_into, furnished, holes
@@ -47,6 +47,7 @@ class Stage:
     ) -> None:
         self.layout = layout
         self.base, wells = furnished(layout, session.world)
+        balklines.draw(self.base, layout, session)
         self.lines = self.base.copy()
         self.settings, self.sketch = settings, Sketch()
         kind, radii = kind_of(session.world), [ball.radius for ball in session.world.balls]
