@@ -96,6 +96,8 @@ def kept_in(options: Options, preferences: Preferences) -> Path | None:
 def greet(app: App) -> None:
     """Say once that the settings were broken, or that there is no place for them; where nothing
     else was asked for, offer the match that can be gone on with."""
+    if app.preferences.settings.squirt == "on" and app.replay is None:
+        app.perform(Action("squirt", "on"))
     begun = {*LAID, "script"} & app.options.given
     if not begun and app.keeper.offered():
         app.perform(Action("sheet", "menu"))

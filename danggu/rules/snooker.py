@@ -6,10 +6,11 @@ from dataclasses import dataclass, replace
 from typing import ClassVar, NamedTuple
 
 from .pocketed import CUE, Pocketed, without
+from .pool import SCRATCH, WRONG_BALL
 from .state import AS_IT_LIES, PLAY, GameState, Option, Question
 from .state import D as IN_D
 from .stroke import Act, Stroke
-from .verdict import NO_BALL, Turn, Verdict, facts
+from .verdict import NO_BALL, OFF_TABLE, Turn, Verdict, facts
 
 RED, COLOUR = "red", "colour"
 COLOURS = ("yellow", "green", "brown", "blue", "pink", "black")
@@ -17,9 +18,10 @@ VALUES = {RED: 1, **{ball: value for value, ball in enumerate(COLOURS, 2)}}
 LEAST, MOST = 4, 7
 REDS = 15
 
-POTTED, FOUL, MISS, FRAME_WON, FRAME_LOST, TIED = (
-    "potted", "foul", "miss", "frame_won", "frame_lost", "black_again",
+POTTED, MISS, FRAME_WON, FRAME_LOST, TIED = (
+    "potted", "miss", "frame_won", "frame_lost", "black_again",
 )  # fmt: skip
+NOT_ON, BEHIND_FREE, PUSHED = "ball_not_on", "behind_free", "touching_moved"
 PLAY_ON, PUT_IN, REPLAY = "play_on", "put_in_again", "replay"
 
 # seen by a referee; these cost the value of the ball on, whichever ball is concerned (3.11 a)
@@ -150,8 +152,7 @@ class Snooker(Pocketed):
 
     def _contacts(self, done: Stroke, turn: Turn, on: On) -> list[int]:
         """Values of the balls that should not have been hit first, none if the hit was fair."""
-        touched = [ball for pair in turn.state.touching if CUE in pair for ball in pair]
-        if any(on.holds(ball) for ball in touched):
+        if touched := self._against(turn, on):
             # a touching ball that is on counts as hit, and moving it is a push (3.8)
             moved = bool(done.touches) and done.touches[0].what in touched
             return [value(done.touches[0].what)] if moved else []
@@ -164,6 +165,11 @@ class Snooker(Pocketed):
             reds = all(kind(ball) == RED for ball in first)
             fair = all(on.holds(ball) for ball in first) and (len(first) == 1 or reds)
         return [] if fair else [0 if on.holds(ball) else value(ball) for ball in first]
+
+    def _against(self, turn: Turn, on: On) -> list[str]:
+        """The balls that the cue ball touches, if one of them is on."""
+        touched = [ball for pair in turn.state.touching if CUE in pair for ball in pair]
+        return touched if any(on.holds(ball) for ball in touched) else []
 
     def _act(self, act: Act) -> int:
         if act.what in SEVEN:
@@ -182,7 +188,7 @@ class Snooker(Pocketed):
         state = replace(state, touching=_touching(done))
         missed = self.miss and not any(on.holds(ball) for ball in done.first)
         verdict = Verdict(
-            FOUL,
+            self._reason(done, turn, on),
             foul=True,
             facts=facts(done),
             gift=penalty,
@@ -196,6 +202,20 @@ class Snooker(Pocketed):
             verdict = replace(verdict, reason=MISS if done.first else NO_BALL)
             return replace(verdict, question=self._asked(turn, state, miss=True))
         return replace(verdict, question=self._asked(turn, state, miss=False))
+
+    def _reason(self, done: Stroke, turn: Turn, on: On) -> str:
+        """Which foul it was: the first of several in the order in which a referee calls them."""
+        if done.lost:
+            return SCRATCH
+        if done.off:
+            return OFF_TABLE
+        if done.acts:
+            return done.acts[0].what
+        if not done.first:
+            return NO_BALL
+        if self._contacts(done, turn, on):
+            return PUSHED if self._against(turn, on) else WRONG_BALL
+        return BEHIND_FREE if all(on.holds(ball) for ball in done.down) else NOT_ON
 
     def _asked(self, turn: Turn, state: GameState, *, miss: bool) -> Question:
         """Play on, have the offender play from here or, after a miss, replay from where all lay."""

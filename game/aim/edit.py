@@ -114,11 +114,11 @@ def make_room(aim: Aim, world: World, cue: str) -> None:
     """Raise the cue as far as the balls and the cushion behind the cue ball ask for, and no more
     than the player has if they ask for less."""
     tip = aim.tip
-    if tip is None or tip.elevation is None or aim.angle is None:
+    if tip is None or tip.elevation is None or aim.cue_angle is None:
         return
     forced = aim.forced is not None and aim.texts[len(BOXES) :] == [aim.forced[0]]
     wanted = aim.forced[1] if aim.forced is not None and forced else tip.elevation
-    steep = max(wanted, cue_room.needed(world, cue, aim.angle, tip.up))
+    steep = max(wanted, cue_room.needed(world, cue, aim.cue_angle, tip.up))
     if steep != tip.elevation and aim.hold(Tip(tip.right, tip.up, steep)):
         aim.forced = None if steep == wanted else (aim.texts[-1], wanted)
 

@@ -15,7 +15,7 @@ from game.text.numerals import MINUS, hopeless, plain, shown, typed, value
 from game.text.text_field import TextField
 from physics import Shot, direction
 
-from .tip import Tip, tip_of
+from .tip import Tip, squirt, tip_of
 
 __all__ = ["BOXES", "MINUS", "MOST", "Aim", "Fault", "fault", "plain", "shown", "typed", "value"]
 
@@ -70,6 +70,7 @@ class Aim:
     strongest  speed to which it can be raised by hand, m/s: the boxes take any
     left      boxes that have been left since editing began: only their faults are shown
     hops      does a cue that is raised by hand make the ball hop?
+    squirts   does the cue stay where it points while the tip is moved, and the ball leave it?
     forced    the elevation that the cue was given for want of room, and the one it had before
     _held     the tip point that was set last, what was then written, and the power
     """
@@ -81,6 +82,7 @@ class Aim:
     left: set[int] = field(default_factory=set)
     strongest: float = 8.0
     hops: bool = True
+    squirts: bool = False
     forced: tuple[str, float] | None = None
     _edited: TextField = field(default_factory=TextField)
     _held: tuple[Tip, list[str], float] | None = None
@@ -137,6 +139,17 @@ class Aim:
     def angle(self) -> float | None:
         """The angle alone, degrees."""
         return self.number("angle")
+
+    @property
+    def squirt(self) -> float:
+        """By how many degrees the ball leaves the cue's line, + to the left; 0 without squirt."""
+        tip = self.tip if self.squirts else None
+        return 0.0 if tip is None else squirt(tip.right)
+
+    @property
+    def cue_angle(self) -> float | None:
+        """The direction of the cue, degrees: with squirt not quite that of the ball."""
+        return None if self.angle is None else self.angle - self.squirt
 
     @property
     def edited(self) -> TextField | None:
@@ -262,6 +275,8 @@ class Aim:
         if self.hops and tip.elevation:
             self.texts.append(plain(tip.elevation, 2))
         self.put(**tip.spins(value(self.texts[0])))
+        if self.squirts and self.angle is not None:
+            self.put(4, angle=self.angle + squirt(tip.right) - squirt(was.right))
         self._held = tip, self._written(), known
         return True
 

@@ -44,9 +44,10 @@ class Mark(NamedTuple):
     wall: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Story:
-    """What happened since a shot; times count from it, seconds."""
+    """What happened since a shot; times count from it, seconds. Each is equal only to itself, so
+    that what follows from it can be kept."""
 
     lanes: tuple[Travel, ...]
     events: tuple[Mark, ...]
@@ -96,6 +97,7 @@ class Preview:
     meetings  of balls after the first contact
     whole     do all balls lie still in the end?
     foul      the number of the meeting that is one, -1 if the first contact is, or None
+    fault     a key of the texts: which foul the whole shot would be, or ""
     """
 
     story: Story
@@ -107,17 +109,22 @@ class Preview:
     meetings: tuple[Meeting, ...]
     whole: bool = True
     foul: int | None = None
+    fault: str = ""
 
 
 class Outcome(NamedTuple):
-    """When nothing can change any more what a stroke counts, world seconds, and is it a foul?"""
+    """What the rules say of a stroke.
 
-    settled: float
-    foul: bool
+    settled  when nothing can change it any more, world seconds; None where it counts to its end
+    fault    a key of the texts: which foul it is, or ""
+    """
+
+    settled: float | None
+    fault: str
 
 
-Judge = Callable[[Log], Outcome | None]
-"""The rules that are played by, asked about a stroke: None where it counts to its end."""
+Judge = Callable[[World], Outcome]
+"""The rules that are played by, asked about a stroke that a copy of the world has played."""
 
 
 def foretold(world: World, cue: str, shot: Shot) -> World | None:
@@ -137,8 +144,8 @@ def preview(world: World, cue: str, shot: Shot, judge: Judge | None = None) -> P
         return None
     since, legs = world.time, _legs(after.log)
     known = _story(after.log, legs, since, after.time)
-    outcome = judge(after.log) if judge else None
-    end = since + known.duration if outcome is None else outcome.settled + TIE
+    settled, fault = judge(after) if judge else (None, "")
+    end = since + known.duration if settled is None else settled + TIE
     met = [e for e in known.events if e.kind == "ball" and since + e.time <= end]
     first = next((e for e in met if cue in e.balls), None)
     hit, contact = end, None
@@ -153,8 +160,9 @@ def preview(world: World, cue: str, shot: Shot, judge: Judge | None = None) -> P
         _bounces(known, legs[cue], cue, since, end - since, world),
         {name: way for name, way in others.items() if way},
         tuple(_meeting(e, legs, since) for e in met if e is not first),
-        outcome is None,
-        _blamed(met, first, end - since) if outcome is not None and outcome.foul else None,
+        settled is None,
+        _blamed(met, first, end - since) if settled is not None and fault else None,
+        fault,
     )
 
 

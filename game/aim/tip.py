@@ -59,6 +59,11 @@ class Tip(NamedTuple):
         }
 
 
+def squirt(right: float) -> float:
+    """By how many degrees the ball leaves the cue's line for a tip so far right, + to the left."""
+    return CueStroke(1.0, side=min(max(right, -LIMIT), LIMIT)).squirt
+
+
 def tip_of(shot: Shot) -> Tip:
     """The tip point and the elevation that give a shot its spins."""
     lever = LEVER * shot.speed

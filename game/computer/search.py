@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from danggu.players.coach import solutions
+from danggu.players import solutions
 from danggu.players.levels import Level
 from danggu.players.solution import Solution
 from danggu.rules.verdict import Rules, Turn

@@ -12,6 +12,7 @@ from game.table import placing
 from physics import Pocket, World
 
 from . import calls
+from .notice import Notice
 from .session import Session
 
 # -- questions -------------------------------------------------------------------------------------
@@ -145,7 +146,8 @@ def move_in_hand(session: Session, to: tuple[float, float]) -> None:
     why = hindrance(session.world, session.cue, to, region)
     if why is not None:
         where = "anywhere" if region == ANYWHERE else session.world.table.kind
-        session.warn(f"hand.{where if why.why == 'region' else why.why}", about=why.ball)
+        key = f"hand.{where if why.why == 'region' else why.why}"
+        session.notice = Notice(key, error=True, about=why.ball, at=to)
         return
     if session.world.ball(session.cue).position == to:
         return

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from functools import lru_cache
 
 from game.aim.preview import FAILS, Story
 from game.table import placing
@@ -24,6 +25,7 @@ def spot(world: World, spots: World) -> bool:
     return bool(gone)
 
 
+@lru_cache(maxsize=8)
 def of_note(story: Story, cue: str, most: int) -> tuple[str, ...]:
     """The balls of a shot that are worth a trace: the cue ball, those it hits, those that drop."""
     hit = [name for e in story.events if e.kind == "ball" and cue in e.balls for name in e.balls]

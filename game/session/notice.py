@@ -11,8 +11,10 @@ class Notice(NamedTuple):
     key    of the texts
     error  is it one?
     about  a name that the text has room for, of a ball, or numbers with spaces between; or ""
+    at     where a ball in hand may not be put, m; None for all else
     """
 
     key: str
     error: bool = False
     about: str = ""
+    at: tuple[float, float] | None = None

@@ -245,8 +245,8 @@ class Contest:
     def settled(self, log: Log, now: float) -> Verdict | None:
         """The verdict on the last stroke at a world time, if nothing can change it any more."""
         stroke = self._before
-        if stroke is None or stroke.lag is not None:
-            return None
+        if stroke is None or stroke.lag is not None or not self.terms.discipline.position:
+            return None  # a stroke in a game with pockets counts to its end
         so_far = stroke.match.judged(c for c in log.brief() if c.time <= now)
         return so_far if stroke.match.rules.settles(so_far) else None
 
@@ -254,13 +254,16 @@ class Contest:
         """Would the coming stroke score if this were its log?"""
         return self.lag is None and self.match.judged(log.brief()).made
 
-    def outcome(self, log: Log) -> Outcome | None:
-        """When the coming stroke would be settled if this were its log, and whether by a foul."""
+    def outcome(self, after: World) -> Outcome:
+        """What the rules say of the coming stroke, which this copy of the world has played."""
         if self.lag is not None:
-            return None
-        verdict = self.match.judged(log.brief())
+            return Outcome(None, "")
+        if not self.terms.discipline.position:
+            verdict = self.match.ruled(observer.seen(after, self.match))
+            return Outcome(None, verdict.reason * verdict.foul)
+        verdict = self.match.judged(after.log.brief())
         when = verdict.facts.decided if self.match.rules.settles(verdict) else None
-        return None if when is None else Outcome(when, verdict.foul)
+        return Outcome(when, verdict.reason * verdict.foul)
 
     def seat(self, world: World, *, busy: bool) -> str:
         """Return the cue ball of the player at the table; the boxes follow with the next aim.

@@ -21,6 +21,7 @@ class Visit(NamedTuple):
     spared   how many of the strokes were not meant to score: push outs, safeties, breaks
     won      did it win the rack or frame?
     lost     did it lose it?
+    unmeant  how many of the spared strokes scored all the same: breaks
     """
 
     player: int
@@ -32,6 +33,7 @@ class Visit(NamedTuple):
     spared: int = 0
     won: bool = False
     lost: bool = False
+    unmeant: int = 0
 
 
 Card = tuple[Visit, ...]
@@ -43,6 +45,7 @@ def after(card: Card, before: Match, verdict: Verdict, rack: int) -> Card:
     goes_on = card and before.visit and card[-1].player == before.at and card[-1].rack == rack
     if goes_on:
         own, card = card[-1], card[:-1]
+    spared = _spares(before)
     now = Visit(
         own.player,
         rack,
@@ -50,9 +53,10 @@ def after(card: Card, before: Match, verdict: Verdict, rack: int) -> Card:
         own.strokes + 1,
         own.made + verdict.made,
         verdict.foul,
-        own.spared + (not verdict.made and _spares(before)),
+        own.spared + spared,
         verdict.won,
         verdict.lost,
+        own.unmeant + (spared and verdict.made),
     )
     return (*card, now)
 
@@ -69,6 +73,7 @@ class Totals(NamedTuple):
 
     visits, strokes, made, fouls, points, best: the best is the high run or break
     spared: strokes that were not meant to score
+    unmeant: how many of these scored all the same
     """
 
     visits: int = 0
@@ -78,6 +83,7 @@ class Totals(NamedTuple):
     points: int = 0
     best: int = 0
     spared: int = 0
+    unmeant: int = 0
 
     @property
     def average(self) -> float:
@@ -88,7 +94,7 @@ class Totals(NamedTuple):
     def share(self) -> float:
         """The part that scored of the strokes meant to."""
         meant = self.strokes - self.spared
-        return self.made / meant if meant else 0.0
+        return (self.made - self.unmeant) / meant if meant else 0.0
 
 
 def totals(card: Card, player: int) -> Totals:
@@ -103,4 +109,5 @@ def totals(card: Card, player: int) -> Totals:
         sum(visit.points if counted else visit.made for visit in own),
         max((visit.points if counted else visit.made for visit in own), default=0),
         sum(visit.spared for visit in own),
+        sum(visit.unmeant for visit in own),
     )

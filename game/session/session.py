@@ -40,7 +40,8 @@ class Session:
     version   goes up with every change: equal versions look the same
     news      goes up when more than the balls' places has changed, or is due to be read again
     lies      how the balls lay before the last shot
-    did       the last action's name; coaching: which of the coach's ways is asked for
+    did       the last action's name; squirt: "on" or "off"
+    coaching  which of the coach's ways is asked for
     match_engine  what a match from the menu is played with, whatever is in use before it
     """
 
@@ -57,7 +58,7 @@ class Session:
         self.substeps, self.language, self.edition = substeps, language, edition
         self.engine, self.match_engine = "exact", match_engine
         self.help = self.over = False
-        self.page = self.did = ""
+        self.page, self.did, self.squirt = "", "", "off"
         self.tick = self.calls = self.events = self.version = self.news = self.coaching = 0
         self.rng = random.Random(seed)
         self.history = History()
@@ -73,7 +74,7 @@ class Session:
         self.contest: Contest | None = None
         self.arranging = self.sketching = False
         """Are balls placed by hand, `held_ball` the next?  Is the cue ball's path drawn?"""
-        self.aim = Aim(strongest=edit.strongest(world))
+        self.aim = Aim(strongest=edit.strongest(world), squirts=self.squirt == "on")
         self.law, self.cloth = presets.law_of(world), "table"
         self.timeline = Timeline(world, world.time, stamp=self.timeline.stamp)
         self.notice: Notice | None = None
@@ -364,9 +365,8 @@ class Session:
     @property
     def traced(self) -> tuple[str, ...]:
         """The balls whose traces are shown: all, unless there are too many to tell apart."""
-        names = tuple(ball.name for ball in self.world.balls)
-        if len(names) <= MOST_TRACED:
-            return names
+        if len(self.world.balls) <= MOST_TRACED:
+            return tuple(ball.name for ball in self.world.balls)
         ran, seen = self.shown_shot or self.moving, NO_STORY
         if ran or self.preview is not None:
             seen = self.forecast if ran or self.preview is None else self.preview.story

@@ -13,6 +13,8 @@ from . import equipment, match_commands, saved, terms
 from .running_match import Contest
 from .session import Session
 
+SQUIRTS = ("off", "on")
+
 # -- table and equipment -------------------------------------------------------------------------
 
 
@@ -64,6 +66,12 @@ def table(session: Session, key: str = "") -> None:
 def language(session: Session, key: str = "") -> None:
     """Say everything in another language, or in the next one."""
     session.language = key or equipment.after([*LANGUAGES], session.language)
+
+
+def squirt(session: Session, key: str = "") -> None:
+    """Let the cue stay where it points while the tip is moved aside, or the ball's course."""
+    session.squirt = key or equipment.after([*SQUIRTS], session.squirt)
+    session.aim.squirts = session.squirt == "on"
 
 
 def match(session: Session, text: str) -> None:

@@ -11,7 +11,7 @@ from game.session.session import Session
 from game.session.terms import HUMAN
 
 from .kept_matches import KeptMatches
-from .statistics import Statistics
+from .statistics import Statistics, kept_name
 
 
 class Keeper:
@@ -59,16 +59,16 @@ class Keeper:
             self._told = True
             self.session.say("match.unsaved", error=True)
 
-    def offered(self) -> str:
-        """The line of the match that can be gone on with, or ""."""
-        return self.matches.newest() if self.keeps else ""
+    def offered(self) -> tuple[str, ...]:
+        """The lines of the matches that can be gone on with, the newest first."""
+        return self.matches.lines() if self.keeps else ()
 
 
 def figures(contest: Contest) -> dict[str, tuple[scorecard.Totals, bool]]:
-    """What each person has done in a match, by name; players without a name are not added up."""
+    """What each person has done in a match, by name."""
     won = contest.match.winner if contest.race.winner is None else contest.race.winner
     return {
-        seat.name: (scorecard.totals(contest.card, index), won == index)
+        kept_name(seat.name, index): (scorecard.totals(contest.card, index), won == index)
         for index, seat in enumerate(contest.terms.seats)
-        if seat.level == HUMAN and seat.name
+        if seat.level == HUMAN
     }

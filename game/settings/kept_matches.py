@@ -29,10 +29,9 @@ class KeptMatches:
         self.faulty = False
         """Could a part of the file not be read?"""
 
-    def newest(self) -> str:
-        """The line of the match that was saved last, "" if there is none that can be read."""
-        found = self._load()
-        return list(found.values())[-1] if found else ""
+    def lines(self) -> tuple[str, ...]:
+        """The lines of the matches that can be read, the one that was saved last first."""
+        return (*reversed(self._load().values()),)
 
     def put(self, own: str, text: str) -> bool:
         """Keep a match under a game's own number; returns whether it is in the file."""

@@ -32,6 +32,7 @@ CHOICES: dict[str, tuple[str, ...]] = {
     "aids": ("off", "short", "full"),
     "colours": ("usual", "safe"),
     "level": tuple(level.key for level in LEVELS),
+    "squirt": ("off", "on"),
 }
 """What can be chosen; "table" is the cloth, and the laws, that a table comes with."""
 SIDE = 200, 16384
@@ -42,7 +43,7 @@ SIDE = 200, 16384
 class Settings:
     """The choices, each with its usual value.
 
-    language .. engine  as the commands of these names take them
+    language .. squirt  as the commands of these names take them
     aids, colours       keys of CHOICES
     level               how well the player carries out a stroke, as the coach sees it
     volume              0 to LOUDEST
@@ -58,6 +59,7 @@ class Settings:
     cloth: str = "table"
     law: str = "table"
     engine: str = "exact"
+    squirt: str = "off"
     aids: str = "full"
     colours: str = "usual"
     level: str = "expert"

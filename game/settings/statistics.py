@@ -20,7 +20,8 @@ class Figures(NamedTuple):
     """A player in a game.
 
     matches, won  how many
-    visits, strokes, made, fouls, points, best  as in `Totals`, of all matches
+    visits, strokes, made, fouls, points, best  as in `Totals`, of all matches; strokes and made
+    are those that were meant to score
     """
 
     matches: int = 0
@@ -39,7 +40,7 @@ class Figures(NamedTuple):
             self.won + won,
             self.visits + one.visits,
             self.strokes + one.strokes - one.spared,
-            self.made + one.made,
+            self.made + one.made - one.unmeant,
             self.fouls + one.fouls,
             self.points + one.points,
             max(self.best, one.best),
@@ -54,6 +55,11 @@ class Figures(NamedTuple):
     def share(self) -> float:
         """The part of the strokes that scored: the pot rate."""
         return self.made / self.strokes if self.strokes else 0.0
+
+
+def kept_name(name: str, index: int) -> str:
+    """Under which name the figures of a seat are kept: where none is given, "Player 1" or 2."""
+    return name or f"Player {index + 1}"
 
 
 Records = dict[str, dict[str, Figures]]

@@ -195,6 +195,16 @@ def test_a_jump_over_a_ball_is_a_foul_in_snooker_and_none_in_pool(name, steep):
     verdict = session.contest.verdict
     assert verdict.facts.hits[0] == (second if steep else first).removeprefix("b")
     assert verdict.foul == (name == "snooker" and steep == 45)
+    assert (verdict.reason == "jumps") == verdict.foul
+
+
+def test_the_preview_knows_the_foul_of_a_jump_in_snooker():
+    session = playing("snooker")
+    leave(session, cue=(-0.6, 0.0), red1=(-0.3, 0.0), red2=(0.4, 0.0))
+    do(session, "set speed 5 follow 0 masse 0 side 0 angle 0")
+    assert session.preview.fault == ""
+    do(session, "elevate 45")
+    assert session.preview.fault == "jumps"
 
 
 # -- the picture -----------------------------------------------------------------------------------

@@ -12,7 +12,8 @@ from game.session.action import Action
 from game.session.scorecard import Totals
 from game.settings.kept_matches import KeptMatches
 from game.settings.statistics import Figures, Statistics
-from tests.support.players import an_app, assert_same_as_anew, press, run_to_rest
+from game.ui.pages import menu_view, score_page
+from tests.support.players import an_app, assert_same_as_anew, click, press, run_to_rest
 from tests.support.racked_games import playing
 
 
@@ -31,7 +32,7 @@ def play_one(app, shot="3 0 0 0 10"):
 
 def test_after_a_stroke_another_game_is_offered_the_match_and_goes_on_with_it(tmp_path):
     first = an_app_in(tmp_path, game="8-ball", table="pool-9", players="Ann,Bo")
-    assert first.keeper.offered() == ""
+    assert first.keeper.offered() == ()
     play_one(first)
     second = an_app_in(tmp_path)
     press(second, "f10")
@@ -55,7 +56,7 @@ def test_two_games_at_once_keep_two_matches(tmp_path):
     assert len(kept) == 2
     play_one(apps[0], "2 0 0 0 40")
     assert len(json.loads((tmp_path / "matches.json").read_text())["matches"]) == 2
-    assert '"9-ball"' in apps[0].keeper.offered()
+    assert '"9-ball"' in apps[0].keeper.offered()[0]
 
 
 def test_a_match_that_is_over_is_offered_no_more_and_counts_in_the_figures(tmp_path):
@@ -66,9 +67,47 @@ def test_a_match_that_is_over_is_offered_no_more_and_counts_in_the_figures(tmp_p
     contest = app.session.contest
     contest.match = replace(contest.match, winner=1)
     app.update(1)
-    assert app.keeper.offered() == ""
+    assert app.keeper.offered() == ()
     assert app.keeper.statistics.of("Ann", "straight-rail").matches == 1
     assert app.keeper.statistics.of("Bo", "straight-rail").won == 1
+
+
+def test_of_several_kept_matches_any_can_be_gone_on_with_by_keys_and_by_the_mouse(tmp_path):
+    for game, table in (("9-ball", "pool-9"), ("snooker", "snooker"), ("8-ball", "pool-9")):
+        play_one(an_app_in(tmp_path, game=game, table=table))
+    app = an_app_in(tmp_path)
+    press(app, "f10")
+    menu = app.view.page
+    menu.offer()
+    said = []
+    for _ in range(4):
+        said.append(menu_view._foot(app.view.sight.words, menu._look))
+        press(app, "pagedown")
+    assert [line.split(",")[0] for line in said] == [
+        "Go on with: 8-ball", "Go on with: Snooker", "Go on with: 9-ball", "Go on with: 8-ball",
+    ]  # fmt: skip
+    assert said[1].endswith("2 of 3: PgUp PgDn")
+    press(app, "pageup")
+    assert_same_as_anew(app)
+    button = menu_view.button_rects(app.view.sight.layout)[menu_view.BUTTONS.index("resume")]
+    click(app, button.move(-4, 0).midright)
+    assert app.session.page == "menu"
+    assert_same_as_anew(app)
+    click(app, button.center)
+    assert app.session.contest.terms.game == "snooker"
+
+
+def test_figures_of_people_without_a_name_are_kept_by_their_seats_and_shown(tmp_path):
+    app = an_app_in(tmp_path, game="straight-rail", table="match", handicap="1", level="club")
+    contest = app.session.contest
+    app.perform(Action("play", "0.5 0 0 0 200"))
+    run_to_rest(app)
+    contest.match = replace(contest.match, winner=0)
+    app.update(1)
+    assert {*app.keeper.statistics.load()} == {"Player 1"}  # and none of the computer
+    career = app.view.pages["score"].career
+    assert score_page._ever(contest, 0, career).won == 1
+    assert score_page._ever(contest, 1, career).matches == 0
 
 
 @pytest.mark.parametrize(
@@ -78,7 +117,7 @@ def test_a_broken_file_of_matches_is_set_aside_and_nothing_is_lost(tmp_path, tex
     path = tmp_path / "matches.json"
     path.write_text(text)
     app = an_app_in(tmp_path, game="9-ball", table="pool-9")
-    assert app.keeper.offered() == ""
+    assert app.keeper.offered() == ()
     play_one(app)
     assert app.keeper.offered()
     assert path.with_name("matches.json.broken").read_text() == text
@@ -91,7 +130,7 @@ def test_a_good_match_beside_a_broken_one_is_still_offered(tmp_path):
     document = json.loads(path.read_text())
     document["matches"]["broken"] = "{}"
     path.write_text(json.dumps(document))
-    assert KeptMatches(path).newest()
+    assert KeptMatches(path).lines()
 
 
 def test_figures_add_up_over_games_and_a_broken_file_is_set_aside(tmp_path):
@@ -113,7 +152,7 @@ def test_figures_add_up_over_games_and_a_broken_file_is_set_aside(tmp_path):
 def test_without_a_folder_nothing_is_kept_and_nothing_offered(tmp_path):
     app = an_app(game="9-ball", table="pool-9")
     play_one(app)
-    assert app.keeper.offered() == ""
+    assert app.keeper.offered() == ()
     assert list(tmp_path.iterdir()) == []
 
 

@@ -5,7 +5,7 @@ import pytest
 from game.input.captions import words
 from game.session.terms import GAMES
 from game.table import lineup
-from game.ui.pages import menu_view, page_parts, shelf_view
+from game.ui.pages import menu_tiles, menu_view, page_parts, shelf_view
 from game.ui.pages.rules_page import RULES
 from tests.support.matches import choose, menu_button
 from tests.support.players import FRAME, an_app, assert_same_as_anew, click, places, press, write
@@ -148,3 +148,27 @@ def test_every_verdict_fits_into_the_result_card(lang, width):
     room = layout.result.w - 12 * layout.s - 58 * layout.s
     for key in (k for k in w if k.startswith("reason.")):
         assert type_.width(w[key].format(n=12), 15) <= room, w[key]
+
+
+def test_the_families_of_games_are_chosen_by_keys_and_by_the_mouse():
+    app = an_app(size=(1280, 720))
+    press(app, "f10", "up")
+    page = app.view.page
+    seen = [page.terms.game]
+    for _ in menu_tiles.FAMILIES:
+        press(app, "right")
+        seen.append(page.terms.game)
+    assert seen == ["free", "four-ball", "8-ball", "snooker", "free-pyramid", "free"]
+    press(app, "left", "return")
+    assert (page.terms.game, page.terms.table) == ("free-pyramid", "pyramid")
+    assert page.row.name == "game"
+    click(app, menu_tiles.rects(app.view.sight.layout)["pool"].center)
+    assert (page.terms.game, page.terms.table) == ("8-ball", "pool-9")
+    press(app, "down", "right")
+    click(app, menu_tiles.rects(app.view.sight.layout)["pool"].center)
+    assert page.terms.game == "9-ball"  # it belongs there already
+    assert_same_as_anew(app)
+
+
+def test_every_game_has_a_family_and_no_two():
+    assert sorted(sum(menu_tiles.FAMILIES.values(), ())) == sorted(GAMES)

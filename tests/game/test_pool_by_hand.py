@@ -1,12 +1,23 @@
 """A match of pool in the window: by keys alone, and by the mouse alone."""
 
+from dataclasses import replace
+
 import pytest
 
+from danggu.rules.state import ANYWHERE
 from game.session import terms
 from game.session.action import Action
 from game.ui.panels import asked_card, rack_words, tray
 from game.ui.panels.parts import hint
-from tests.support.players import an_app, assert_same_as_anew, click, press, run_to_rest, write
+from tests.support.players import (
+    an_app,
+    assert_same_as_anew,
+    click,
+    pixels,
+    press,
+    run_to_rest,
+    write,
+)
 from tests.support.racked_games import leave
 
 GAMES = [name for name, one in terms.DISCIPLINES.items() if one.rules and not one.position]
@@ -78,7 +89,7 @@ def test_escape_does_not_place_the_ball_in_hand_and_b_takes_it_again():
     assert session.page == "menu"
     press(app, "escape", "return")
     assert not session.arranging
-    assert "moves the ball" in hint(session, app.view.sight.words)[0]
+    assert "B: ball" in hint(session, app.view.sight.words)[0]
     press(app, "b")
     assert session.arranging
 
@@ -123,6 +134,47 @@ def test_the_ball_in_hand_is_dragged_and_stays_where_it_may_not_go():
     assert hint(session, app.view.sight.words)[1]
 
 
+def test_a_place_that_is_forbidden_is_ringed_with_the_ball_that_is_in_the_way():
+    app = app_of("9-ball")
+    session = app.session
+    leave(session, cue=(-0.5, 0.0), b1=(0.3, 0.2), b9=(0.6, 0.1))
+    state = replace(session.contest.match.state, region=ANYWHERE)
+    session.contest.match = replace(session.contest.match, state=state)
+    app.frame(0)
+    for at, about in ((0.31, 0.21), "1"), ((-5.0, 0.0), ""):
+        before = pixels(app)
+        app.perform(Action("move", f"{at[0]} {at[1]}"))
+        app.frame(0)
+        assert (session.notice.at, session.notice.about) == (at, about)
+        assert pixels(app) != before
+        assert_same_as_anew(app)
+    app.perform(Action("move", "-0.6 0"))
+    assert session.notice is None
+    assert_same_as_anew(app)
+
+
+def test_a_ball_in_hand_that_was_put_down_is_dragged_on_and_a_click_on_it_leaves_it():
+    app = app_of("9-ball")
+    session, layout = app.session, app.view.sight.layout
+    press(app, "return")
+    at, away = session.world.ball("cue").position, (-0.9, 0.1)
+    click(app, layout.to_screen(*at))
+    assert session.world.ball("cue").position == at
+    texts = list(session.aim.texts)
+    click(app, layout.to_screen(*at), layout.to_screen(*away))
+    assert session.world.ball("cue").position == pytest.approx(away, abs=0.01)
+    assert (session.arranging, session.aim.texts) == (False, texts)
+    click(app, layout.to_screen(*away), layout.to_screen(0.2, 0.1))
+    assert session.world.ball("cue").position == pytest.approx(away, abs=0.01)
+    assert session.notice.at == pytest.approx((0.2, 0.1), abs=0.01)
+    assert_same_as_anew(app)
+    click(app, layout.to_screen(-0.9, 0.3), layout.to_screen(-0.8, 0.4))
+    assert session.aim.texts != texts  # beside the ball a drag aims
+    assert session.world.ball("cue").position == pytest.approx(away, abs=0.01)
+    press(app, "return")
+    assert session.moving
+
+
 def test_the_tray_has_a_slot_for_each_ball_and_the_plates_say_the_groups():
     app = app_of("8-ball")
     assert tray.slots(app.session) == [str(n) for n in range(1, 16)]
@@ -130,6 +182,13 @@ def test_the_tray_has_a_slot_for_each_ball_and_the_plates_say_the_groups():
     assert rack_words.line(app.session.contest, 0, words)[0] == "open table"
     assert rack_words.middle(app.session.contest, words) == ("Rack", "1")
     assert tray.slots(app_of("snooker").session)[0] == "red"
+
+
+def test_the_tray_follows_the_ball_that_is_played_with():
+    app = app_of("free-pyramid")
+    press(app, "return", "k", "k", "k")
+    assert app.session.cue not in tray.slots(app.session)
+    assert_same_as_anew(app)
 
 
 @pytest.mark.parametrize("game", GAMES)

@@ -36,7 +36,6 @@ def test_enter_and_aiming_leave_the_result_of_a_match_that_is_over():
         assert app.view.sight.mode == "after"
         assert not session.moving
         app.session.notice = None
-        assert "no name: no statistics" in hint(session, app.view.sight.words)[0]
         press(app, "return")
         assert "rematch" in hint(session, app.view.sight.words)[0]
         assert prompts.button(session)[:2] == ("again", "key.f10")

@@ -1,11 +1,14 @@
 """The sheet of a match: what counts as a try, and who won the rack."""
 
+from dataclasses import replace
+
 import pytest
 
 from danggu.rules.state import Call
 from danggu.rules.verdict import Verdict
 from game.input.captions import words
 from game.session import scorecard
+from game.settings.statistics import Figures
 from game.ui.pages import score_page
 from game.ui.panels import rack_words
 from tests.support.racked_games import leave, playing
@@ -25,13 +28,22 @@ def test_a_dry_break_is_no_missed_pot(game):
     match = playing(game).contest.match
     card = scorecard.after((), match, MISSED, 1)
     assert scorecard.totals(card, 0).spared == 1
-    assert scorecard.totals(scorecard.after((), match, POTTED, 1), 0).share == 1.0
+    broke = scorecard.totals(scorecard.after((), match, POTTED, 1), 0)
+    assert (broke.made, broke.strokes - broke.spared) == (1, 0)  # nor one that pots a meant one
+
+
+def test_a_break_that_pots_is_no_part_of_the_pot_rate():
+    card = scorecard.after((), playing("9-ball").contest.match, POTTED, 1)
+    later = replace(match_of("9-ball"), visit=1)
+    for verdict, share in ((MISSED, 0.0), (POTTED, 0.5)):
+        card = scorecard.after(card, later, verdict, 1)
+        totals = scorecard.totals(card, 0)
+        figures = Figures().plus(totals, won=False)
+        assert totals.share == figures.share == share
 
 
 @pytest.mark.parametrize("call", [Call(safety=True), Call(push=True)])
 def test_push_outs_and_safeties_are_no_missed_pots(call):
-    from dataclasses import replace
-
     match = match_of("9-ball")
     card = scorecard.after((), match, POTTED, 1)
     card = scorecard.after(card, replace(match, visit=1, call=call), MISSED, 1)

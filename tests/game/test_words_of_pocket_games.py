@@ -1,13 +1,16 @@
 """What is written beside games with pockets: who gets what, and which balls are down."""
 
+from math import atan2, degrees
+
 import pygame
 import pytest
 
 from danggu.rules.verdict import Verdict
 from game.input.captions import words
 from game.render import theme
-from game.ui.panels import rack_words, tray
-from tests.support.players import an_app, press
+from game.session.action import Action
+from game.ui.panels import rack_words, shot_panels, tray, warning
+from tests.support.players import FRAME, an_app, assert_same_as_anew, press
 from tests.support.racked_games import leave, playing
 
 
@@ -42,7 +45,44 @@ def test_the_reds_that_are_down_fill_their_slot_and_none_leave_it_empty():
     assert slot(app, "red").get_at((30, 16))[:3] != theme.PANEL
 
 
+def test_a_set_up_without_reds_has_slots_for_the_balls_that_there_are():
+    app = an_app(size=(1280, 720), table="snooker")
+    app.perform(Action("line", "danggu1 snooker cue=0.0,0.0 black=1.0,0.3 pink=1.0,-0.3"))
+    assert tray.slots(app.session) == ["pink", "black"]
+    assert_same_as_anew(app)
+
+
 def test_the_ring_of_the_black_can_be_seen_on_the_panel():
     app = an_app(size=(1280, 720), game="snooker", table="snooker")
     ring = slot(app, "black").get_at((30, 11))[:3]
     assert max(ring) - max(theme.PANEL) >= 40
+
+
+def test_a_stroke_that_runs_says_which_balls_are_down_so_far():
+    app = an_app(size=(1280, 720), game="snooker", table="snooker")
+    press(app, "return")
+    session, w = app.session, app.view.sight.words
+    leave(session, cue=(0.0, 0.0), red1=(1.4, 0.7), red2=(1.0, 0.0), black=(1.4, -0.2))
+    app.perform(Action("play", f"3 0 0 0 {degrees(atan2(0.7, 1.4))}"))
+    app.frame(FRAME)
+    assert rack_words.so_far(session, w) == ("0", "No ball down")
+    assert session.settled is None
+    for _ in range(400):
+        app.frame(FRAME)
+        if not session.world.ball("red1").gone:
+            continue
+        assert session.moving
+        assert rack_words.so_far(session, w) == ("1", "Down: red 1")
+        assert shot_panels._result_look(app.view.sight)[:2] == ("1", "Down: red 1")
+        return
+    raise AssertionError("the red was to drop")
+
+
+def test_a_foul_that_is_foreseen_is_said_before_the_stroke():
+    app = an_app(size=(1280, 720), game="9-ball", table="pool-9")
+    press(app, "return")
+    leave(app.session, cue=(-0.6, 0.0), b1=(0.3, 0.0), b9=(0.5, 0.3))
+    app.perform(Action("set", "speed 0.7 follow 0 masse 0 side 0 angle 0"))
+    assert warning.of(app.view.sight) == "Foul: no cushion after"
+    app.perform(Action("set", "speed 3"))
+    assert warning.of(app.view.sight) == ""

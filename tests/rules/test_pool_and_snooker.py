@@ -258,6 +258,31 @@ def test_a_foul_costs_the_value_of_the_ball_on_or_concerned_and_4_at_least(on, e
     assert match.ruled(written.stroke("cue")).gift == points
 
 
+@pytest.mark.parametrize(
+    ("events", "touching", "reason"),
+    [
+        ("cue>red1 cue^NE blue@off", (), "scratch"),
+        ("cue>red1 blue@off", (), "off_table"),
+        ("cue>red1 cue:jumps(black)", (), "jumps"),
+        ("cue>red1 yellow^NE", (), "ball_not_on"),
+        ("cue>red1", (("cue", "red1"),), "touching_moved"),
+    ],
+)
+def test_the_reason_of_a_foul_says_what_was_wrong(events, touching, reason):
+    match = two(Snooker())
+    match = replace(match, state=replace(match.state, touching=touching))
+    assert match.ruled(read(events.split()).stroke("cue")).reason == reason
+
+
+def test_a_wrong_ball_without_the_option_of_a_miss_is_named_and_so_is_a_snooker_by_the_free_ball():
+    match = two(Snooker(miss=False))
+    assert match.ruled(read(["cue>blue"]).stroke("cue")).reason == "wrong_ball"
+    assert match.ruled(read(["cue|"]).stroke("cue")).reason == "no_ball"
+    match = replace(match, state=replace(match.state, free=True), call=Call("brown"))
+    done = replace(read(["cue>brown"]).stroke("cue"), rest=Rest(snookered=True, hidden="brown"))
+    assert match.ruled(done).reason == "behind_free"
+
+
 def test_the_last_red_brings_a_colour_and_then_all_in_their_order():
     match = two(Snooker())
     colours = ("yellow", "green", "brown", "blue", "pink", "black")

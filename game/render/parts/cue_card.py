@@ -22,6 +22,8 @@ WIDE, HIGH = 92, 62
 ARM = 50
 """Length of the drawn cue, px at s = 1: its end is what one takes hold of."""
 BALL = 8
+CORNER = 108
+"""Width of the corner below the ball, px at s = 1."""
 
 
 def side_view(rect: pygame.Rect, s: float) -> pygame.Rect:
@@ -69,6 +71,22 @@ def _side(surface: pygame.Surface, rect: pygame.Rect, s: float, elevation: float
     lines.polyline(surface, ends, ink, 3.2 * s)
     lines.dot(surface, (x, y), BALL * s, theme.BALLS["white"].body)
     lines.dot(surface, ends[1], 5.5 * s, theme.TEXT if elevation is not None else faint)
+
+
+def corner(rect: pygame.Rect, s: float) -> pygame.Rect:
+    """Return the lower left corner of the card, below the ball."""
+    box = pygame.Rect(0, 0, round(CORNER * s), round(20 * s))
+    box.bottomleft = (rect.x + round(6 * s), rect.bottom - round(3 * s))
+    return box
+
+
+def switch(
+    surface: pygame.Surface, box: pygame.Rect, type_: Type, said: str, *, on: bool
+) -> None:
+    """Draw something that a click switches: lit while it is on."""
+    s, ink = type_.s, theme.ACCENT if on else theme.TEXT_FAINT
+    at = box.x + 6 * s, box.centery + type_.cap(12) / 2
+    type_.draw(surface, type_.fitted(said, 12, box.w - 8 * s), at, 12, ink)
 
 
 def choice_boxes(rect: pygame.Rect, type_: Type, names: Sequence[str]) -> list[pygame.Rect]:

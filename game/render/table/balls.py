@@ -152,8 +152,9 @@ class BallSprites:
                 continue
             px = self._px[index]
             now = self._seen[index] = self._sight(index, at, 2 * self._sheets[px].side)
-            if seen is None or seen[:3] != now[:3]:
-                found.setdefault(px, []).append(Turn(self._cells[index], *now[:3]))
+            turn, cell, half = now[:3]
+            if seen is None or seen[:3] != (turn, cell, half):
+                found.setdefault(px, []).append(Turn(self._cells[index], turn, cell, half))
         for px, turns in found.items():
             self._sheets[px].paint(turns)
 
@@ -161,8 +162,7 @@ class BallSprites:
         """What a ball's picture depends on, and where it goes; `side`: of it, in half pixels."""
         x, y = self.layout.to_screen(*at)
         left, top = round(2 * x) - side // 2, round(2 * y) - side // 2
-        half = (left % 2, top % 2)
-        corner = (left - half[0]) // 2, (top - half[1]) // 2
+        half, corner = (left & 1, top & 1), (left >> 1, top >> 1)
         middle = round(x), round(y)
         return Sight(self._orientations[index], self._cell(at), half, at, corner, middle)
 
@@ -215,32 +215,28 @@ class BallSprites:
             return shadows.draw_joined(surface, middle, self._cell(spot.at))
         return shadows.draw(surface, centre, spot.at)
 
-    def draw(
-        self, surface: pygame.Surface, index: int, at: Place, height: float = 0.0
-    ) -> pygame.Rect:
-        """Draw one ball and its shadow, centred at `at` (m)."""
-        return self.draw_all(surface, [Spot(index, at, height)])[0]
-
-    def draw_all(self, surface: pygame.Surface, spots: Iterable[Spot]) -> list[pygame.Rect]:
+    def draw_all(self, surface: pygame.Surface, spots: Iterable[Spot]) -> None:
         """Draw balls, all shadows below all balls, those in the air above the others."""
-        placed, sunk = [*spots], []
-        if any(spot.height for spot in placed):
+        placed = [*spots]
+        heights = [spot.height for spot in placed]
+        if any(heights):
             placed.sort(key=_height)
-            sunk = [self._sink(surface, spot) for spot in placed if spot.height < 0.0]
+            sunk = [spot for spot in placed if spot.height < 0.0]
+            for spot in sunk:
+                self._sink(surface, spot)
             placed = placed[len(sunk) :]
-        shadows = [self.shadow(surface, spot) for spot in placed]
-        return sunk + [
-            shadow.union(self._put(surface, spot))
-            for shadow, spot in zip(shadows, placed, strict=True)
-        ]
+        for spot in placed:
+            self.shadow(surface, spot)
+        for spot in placed:
+            self._put(surface, spot)
 
-    def _sink(self, surface: pygame.Surface, spot: Spot) -> pygame.Rect:
+    def _sink(self, surface: pygame.Surface, spot: Spot) -> None:
         """Draw a ball that is below the cloth, if there are holes."""
-        if self.wells is None:
-            return pygame.Rect(0, 0, 0, 0)
-        picture, _ = self.sprite(spot.ball, spot.at)
-        centre, radius = self.layout.to_screen(*spot.at), self._px[spot.ball] / self.layout.scale
-        return self.wells.sink(surface, picture, centre, radius, -spot.height)
+        if self.wells is not None:
+            picture, _ = self.sprite(spot.ball, spot.at)
+            centre = self.layout.to_screen(*spot.at)
+            radius = self._px[spot.ball] / self.layout.scale
+            self.wells.sink(surface, picture, centre, radius, -spot.height)
 
     def _put(self, surface: pygame.Surface, spot: Spot) -> pygame.Rect:
         seen = self._seen[spot.ball] if not (spot.still or spot.height) else None
@@ -259,8 +255,10 @@ class BallSprites:
     def _cell(self, at: Place) -> Place:
         """Return the middle of the light cell that holds `at`, metres."""
         (across, down), (length, width) = self._grid, self._sides_of_bed
-        x = min(max(round(at[0] / length * across), -(across // 2)), across // 2)
-        y = min(max(round(at[1] / width * down), -(down // 2)), down // 2)
+        x, y = round(at[0] / length * across), round(at[1] / width * down)
+        if abs(x) > across // 2 or abs(y) > down // 2:  # in a pocket, or off the table
+            x = min(max(x, -(across // 2)), across // 2)
+            y = min(max(y, -(down // 2)), down // 2)
         return x * length / across, y * width / down
 
 

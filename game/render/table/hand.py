@@ -9,7 +9,7 @@ import pygame
 
 from game.render.arrays import Points
 from game.render.layout import Layout
-from game.render.theme import ACCENT, WHITE
+from game.render.theme import ACCENT, ERROR, WHITE
 from physics import tables
 
 from . import lines
@@ -28,20 +28,21 @@ def region(surface: pygame.Surface, layout: Layout, table: tables.Table, name: s
     """Show where the centre of a ball in hand may be: one of `table.regions`, by its name.
 
     If it is a part of the bed the rest is dimmed, and the line at which it ends is bright; the
-    border is dashed. KeyError for a name that the table does not know.
+    border is dashed. KeyError for a name that the table does not know. Returns the rectangle that
+    has been drawn in.
     """
     found: Any = table.regions[name]
     s = layout.s
     open_ = [layout.to_screen(*p) for p in outline(table, name)]
-    line = table.head_string
+    line, room = table.head_string, layout.bed.copy()
     if hasattr(found, "radius") or (line is not None and found.east <= line):
         _dim(surface, layout, _lit(layout, table, found, open_))
         if line is not None and not hasattr(found, "radius"):
             ends = [layout.to_screen(line, sign * 0.5 * table.width) for sign in (1, -1)]
-            lines.polyline(surface, ends, ACCENT, 1.6 * s, 0.95)
+            room.union_ip(lines.polyline(surface, ends, ACCENT, 1.6 * s, 0.95))
     dashes = [d * s for d in DASHES]
-    lines.polyline(surface, [*open_, open_[0]], ACCENT, 1.2 * s, 0.75, dashes=dashes)
-    return layout.bed.inflate(2, 2)
+    border = lines.polyline(surface, [*open_, open_[0]], ACCENT, 1.2 * s, 0.75, dashes=dashes)
+    return room.union(border)
 
 
 def outline(table: tables.Table, name: str) -> Points:
@@ -98,3 +99,20 @@ def held(
         point = x + u * tip, y + v * tip
         rect = rect.union(lines.polygon(surface, [point, *wings], ACCENT, 0.95))
     return rect
+
+
+def forbidden(
+    surface: pygame.Surface, centre: tuple[float, float], radius: float, s: float
+) -> pygame.Rect:
+    """Draw a barred ring where a ball of `radius` px may not be put."""
+    x, y = centre
+    rect, reach = lines.ring(surface, centre, radius, ERROR, 2.0 * s, 0.95), 0.7071 * radius
+    bar = [(x - reach, y - reach), (x + reach, y + reach)]
+    return rect.union(lines.polyline(surface, bar, ERROR, 2.0 * s, 0.95))
+
+
+def blocking(
+    surface: pygame.Surface, centre: tuple[float, float], radius: float, s: float
+) -> pygame.Rect:
+    """Draw a ring around the ball that is in the way; `radius` is the ball's, px."""
+    return lines.ring(surface, centre, radius + 3 * s, ERROR, 2.0 * s, 0.95)

@@ -19,12 +19,13 @@ from game.table import presets
 from game.text.text_field import TextField
 from game.ui.sight import Sight
 
-from . import menu_view
+from . import menu_tiles, menu_view
 from .menu_rows import MenuRow, accepted, rows, stepped, text_of, written
 from .menu_view import BUTTONS, CLOSE, NOTHING, OUTSIDE, MenuLook, MenuSpot
 
 STEPS = {pygame.K_UP: -1, pygame.K_DOWN: 1}
 CHANGES = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_PAGEDOWN: -10, pygame.K_PAGEUP: 10}
+OTHERS = {pygame.K_PAGEDOWN: 1, pygame.K_PAGEUP: -1}
 ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
 
 
@@ -41,11 +42,13 @@ class MenuPage:
         """Has the text been edited since?  Until then arrows count a number up and down."""
         self.refused = ""
         """Why the last characters did not go into the row: "digits" or "full"."""
-        self.offers: Callable[[], str] = str
-        """Asks for the line of the match that can be gone on with, "" if there is none."""
+        self.offers: Callable[[], tuple[str, ...]] = tuple
+        """Asks for the lines of the matches that can be gone on with, the newest first."""
         self.own: Callable[[], str] = str
         """Asks for the key of the player's own table, "" if there is none."""
-        self._offered = ""
+        self._offered: tuple[str, ...] = ()
+        self._which = 0
+        """The one of them that is on offer."""
         self._left: MenuRow | None = None
         """The row of text that was left last: a syllable may come only then."""
 
@@ -53,7 +56,7 @@ class MenuPage:
         """Begin with what is being played."""
         begun = session.contest.terms if session.contest else self._free(session)
         self.terms = replace(begun, engine=session.match_engine)
-        self._left, self._offered = None, self.offers()
+        self._left, self._offered, self._which = None, self.offers(), 0
         self._focus(0)
 
     def offer(self) -> None:
@@ -83,13 +86,14 @@ class MenuPage:
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
         line = None if self.field is None else sight.line(self.field)
-        return self.terms, self.focus, self.over, line, self.refused, sight.words["menu.title"]
+        own = self.terms, self.focus, self.over, line, self.refused, self._which
+        return *own, sight.words["menu.title"]
 
     @property
     def _look(self) -> MenuLook:
         return MenuLook(
             self.terms, self.rows, self.focus, self.over, self.field, self.touched, self.refused,
-            saved.read(self._offered).terms if self._offered else None,
+            tuple(saved.read(text).terms for text in self._offered), self._which,
         )  # fmt: skip
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
@@ -103,7 +107,7 @@ class MenuPage:
         if event.type == pygame.TEXTINPUT:
             self._type(event.text)
         elif event.type == pygame.MOUSEMOTION:
-            self.over = menu_view.spot_at(event.pos, sight, self.rows)
+            self.over = menu_view.spot_at(event.pos, sight, self.rows, len(self._offered))
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             return self._press(event.pos, sight)
         return None
@@ -152,16 +156,34 @@ class MenuPage:
 
     def _button_key(self, key: int) -> Action | None:
         place = self.focus - len(self.rows)
-        if key in CHANGES:
+        if place == len(BUTTONS):
+            self._tile_key(key)
+        elif key in OTHERS and BUTTONS[place] == "resume":
+            self._offer_another(OTHERS[key])
+        elif key in CHANGES:
             way = 1 if CHANGES[key] > 0 else -1
             self.focus = len(self.rows) + (place + way) % len(BUTTONS)
         elif key in ENTER or key == pygame.K_SPACE:
             return self._do(BUTTONS[place])
         return None
 
+    def _offer_another(self, way: int) -> None:
+        self._which = (self._which + way) % max(len(self._offered), 1)
+
+    def _tile_key(self, key: int) -> None:
+        if key in CHANGES:
+            self._choose(menu_tiles.stepped(self.terms, 1 if CHANGES[key] > 0 else -1))
+        elif key in ENTER:
+            self._go(1)
+
+    def _choose(self, terms: Terms) -> None:
+        """Play another family of games; the tiles stay in focus, for there are other rows now."""
+        self.terms = terms
+        self._focus(len(self.rows) + len(BUTTONS))
+
     def _go(self, step: int) -> None:
         self._left = self.row if self.typing else None
-        self._focus((self.focus + step) % (len(self.rows) + len(BUTTONS)))
+        self._focus((self.focus + step) % (len(self.rows) + len(BUTTONS) + 1))
 
     def _focus(self, place: int) -> None:
         """Go to a row, or to a button; all of its text is selected."""
@@ -200,14 +222,20 @@ class MenuPage:
             self.field, self.refused = TextField(most, len(most), anchor=len(most)), "full"
 
     def _press(self, at: tuple[int, int], sight: Sight) -> Action | None:
-        self.over = spot = menu_view.spot_at(at, sight, self.rows)
+        self.over = spot = menu_view.spot_at(at, sight, self.rows, len(self._offered))
         if spot in (CLOSE, OUTSIDE):
             return Action("sheet", "")
         if spot == NOTHING:
             return None
         self._left = None
+        if spot.other:
+            self._choose(menu_tiles.chosen(self.terms, spot.other))
+            return None
         self._place_caret(spot.place, at, sight)
         row = self.row
+        if row is None and spot.step:
+            self._offer_another(spot.step)
+            return None
         if row is None:
             return self._do(BUTTONS[spot.place - len(self.rows)])
         if spot.step:
@@ -230,7 +258,7 @@ class MenuPage:
             case "start":
                 return Action("match", _with_a_rack_of_its_own(self.terms).line())
             case "resume":
-                return Action("resume", self._offered) if self._offered else None
+                return Action("resume", self._offered[self._which]) if self._offered else None
             case "quit" | "help" | "settings":
                 return Action(name)
             case _:

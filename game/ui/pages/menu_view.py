@@ -18,7 +18,7 @@ from game.text.text_field import TextField
 from game.ui.names import player_name
 from game.ui.sight import Sight
 
-from . import page_parts
+from . import menu_tiles, page_parts
 from .menu_rows import MenuRow
 
 BUTTONS = ("start", "resume", "shelf", "rules", "help", "settings", "quit")
@@ -35,7 +35,8 @@ GROUP = 10
 
 
 class MenuSpot(NamedTuple):
-    """A part of the menu: place in the order of focus, or -1; step of an arrow, or what else."""
+    """A part of the menu: place in the order of focus, or -1; step of an arrow, or what else: a
+    family of games by its name."""
 
     place: int
     step: int = 0
@@ -50,12 +51,13 @@ class MenuLook(NamedTuple):
 
     terms    what has been put together so far
     rows     that these terms have
-    focus    counts the rows, then come the buttons
+    focus    counts the rows, then come the buttons, and last the tiles of the families
     over     the part under the mouse
     field    the text of the row in focus, if it is one that is typed into
     touched  has it been edited since?
     refused  why the last characters did not go into it: "digits" "full" or ""
-    offered  the terms of the match that can be gone on with, None if there is none
+    offered  the terms of the matches that can be gone on with, the newest first
+    which    the one of them that is on offer
     """
 
     terms: Terms
@@ -65,7 +67,8 @@ class MenuLook(NamedTuple):
     field: TextField | None
     touched: bool
     refused: str
-    offered: Terms | None
+    offered: tuple[Terms, ...]
+    which: int
 
     @property
     def row(self) -> MenuRow | None:
@@ -117,8 +120,10 @@ def button_rects(layout: Layout) -> list[pygame.Rect]:
     return page_parts.row_of(bar, (1.5, 1.3, 1, 1, 1, 1, 1), layout.px(10))
 
 
-def spot_at(at: tuple[int, int], sight: Sight, rows: Sequence[MenuRow]) -> MenuSpot:
-    """Return what is at a point of the window."""
+def spot_at(
+    at: tuple[int, int], sight: Sight, rows: Sequence[MenuRow], offered: int = 0
+) -> MenuSpot:
+    """Return what is at a point of the window; `offered` matches can be gone on with."""
     layout = sight.layout
     if not page_parts.panel(layout).collidepoint(at):
         return OUTSIDE
@@ -136,8 +141,16 @@ def spot_at(at: tuple[int, int], sight: Sight, rows: Sequence[MenuRow]) -> MenuS
             )
     for k, rect in enumerate(button_rects(layout)):
         if rect.collidepoint(at):
-            return MenuSpot(len(rows) + k)
-    return NOTHING
+            several = BUTTONS[k] == "resume" and offered > 1
+            return MenuSpot(len(rows) + k, _end_at(rect, at[0], layout) if several else 0)
+    family = menu_tiles.at(at, layout)
+    return MenuSpot(len(rows) + len(BUTTONS), 0, family) if family else NOTHING
+
+
+def _end_at(rect: pygame.Rect, x: int, layout: Layout) -> int:
+    """The end of a button that is at a column: -1 the left one, 1 the right one, 0 neither."""
+    side = layout.px(ARROW)
+    return (x >= rect.right - side) - (x < rect.x + side)
 
 
 # -- what it looks like --------------------------------------------------------------------------
@@ -150,13 +163,27 @@ def draw(surface: pygame.Surface, sight: Sight, menu: MenuLook) -> pygame.Rect:
         surface, sight, w["menu.title"], _foot(w, menu), bool(menu.refused), over == CLOSE
     )
     _heads(surface, sight, menu.terms)
+    tiles = menu.focus == len(rows) + len(BUTTONS)
+    menu_tiles.draw(surface, sight, menu.terms, focused=tiles, over=over.other)
     for place, row in enumerate(rows):
         _row(surface, sight, row_rect(rows, place, layout), menu, place, row)
     for k, (name, spot) in enumerate(zip(BUTTONS, button_rects(layout), strict=True)):
         focused, hot = menu.focus == len(rows) + k, over.place == len(rows) + k
         label = w["menu.again" if name == "start" and _over(sight) else f"menu.{name}"]
         page_parts.button(surface, spot, sight.type, label, focused, hot, k == 0)
+        if name == "resume" and len(menu.offered) > 1:
+            _ends(surface, spot, layout, over.step if hot else 0, focused)
     return rect
+
+
+def _ends(
+    surface: pygame.Surface, rect: pygame.Rect, layout: Layout, over: int, focused: bool
+) -> None:
+    """Draw the arrows at the ends of a button that has several things to choose from."""
+    side = layout.px(ARROW)
+    for way, left in ((-1, rect.x), (1, rect.right - side)):
+        end = pygame.Rect(left, rect.y, side, rect.h)
+        _arrow(surface, end, layout.s, way, focused or over == way)
 
 
 def _over(sight: Sight) -> bool:
@@ -180,10 +207,8 @@ def _heads(surface: pygame.Surface, sight: Sight, terms: Terms) -> None:
 
 def _foot(w: dict[str, str], menu: MenuLook) -> str:
     row, terms = menu.row, menu.terms
-    if row is None and BUTTONS[menu.focus - len(menu.rows)] == "resume":
-        return _offer(w, menu.offered)
     if row is None:
-        return w["menu.hint.button"]
+        return _foot_of_button(w, menu)
     if menu.refused:
         return w[f"menu.refused.{row.name}"].format(most=MOST_POINTS, length=LONGEST_NAME)
     if row.name == "level":
@@ -196,12 +221,23 @@ def _foot(w: dict[str, str], menu: MenuLook) -> str:
     return w["menu.hint." + row.kind]
 
 
-def _offer(w: dict[str, str], offered: Terms | None) -> str:
+def _foot_of_button(w: dict[str, str], menu: MenuLook) -> str:
+    """The line at the foot with a button in focus, or the tiles."""
+    name = (*BUTTONS, "tiles")[menu.focus - len(menu.rows)]
+    if name == "resume":
+        return _offer(w, menu)
+    return w["menu.hint.tiles" if name == "tiles" else "menu.hint.button"]
+
+
+def _offer(w: dict[str, str], menu: MenuLook) -> str:
     """Which match would be gone on with."""
-    if offered is None:
+    if not menu.offered:
         return w["menu.nothing"]
+    offered, several = menu.offered[menu.which], len(menu.offered) > 1
     names = " – ".join(player_name(offered, i, w) for i in range(len(offered.seats)))
-    return w["menu.offered"].format(game=w[f"game.{offered.game}"], names=names)
+    said = w["menu.offered"].format(game=w[f"game.{offered.game}"], names=names)
+    place = w["menu.others"].format(n=menu.which + 1, count=len(menu.offered))
+    return f"{said} · {place}" if several else said
 
 
 def value_word(row: MenuRow, terms: Terms, w: dict[str, str]) -> str:

@@ -13,7 +13,8 @@ from game.session import scorecard
 from game.session.action import Action
 from game.session.running_match import Contest
 from game.session.session import Session
-from game.settings.statistics import Figures
+from game.session.terms import HUMAN
+from game.settings.statistics import Figures, kept_name
 from game.ui.names import player_name
 from game.ui.panels import rack_words
 from game.ui.sight import Sight
@@ -105,7 +106,7 @@ def _visits(
     surface: pygame.Surface, area: pygame.Rect, sight: Sight, contest: Contest, top: int
 ) -> None:
     s, t, w, card = sight.layout.s, sight.type, sight.words, contest.card
-    columns = [0, 60, 120, 300, 380, 460]
+    columns = [0, 44, 100, 256, 330, 412]
     frames, scores = _frames(contest), contest.terms.discipline.points or rack_words.scores(contest)
     rack = w["score.frame"] if frames else w["sheet.rack"]
     points = w["sheet.points"] if scores else ""
@@ -115,10 +116,10 @@ def _visits(
     sums = [list(accumulate(v.points * (v.player == p) for v in card)) for p in (0, 1)]
     for place, visit in enumerate(card[top : top + _room(sight)]):
         base, number = area.y + (ROW * (place + 1) + 14) * s, top + place
-        name = t.fitted(player_name(contest.terms, visit.player, w), SIZE, 170 * s)
+        name = t.fitted(player_name(contest.terms, visit.player, w), SIZE, 150 * s)
         counted = f"{visit.points} · {sums[visit.player][number]}" if scores else ""
         words = [str(number + 1), str(visit.rack), name, f"{visit.made}/{visit.strokes}", counted]
-        words.append(_end(visit, contest, w))
+        words.append(t.fitted(_end(visit, contest, w), SIZE, area.w - (columns[-1] + 8) * s))
         for x, word in zip(columns, words, strict=True):
             last = theme.GOOD if visit.won else theme.ERROR
             ink = last if x == columns[-1] else theme.TEXT
@@ -146,12 +147,12 @@ def _players(
 ) -> None:
     s, t, w = sight.layout.s, sight.type, sight.words
     step = area.w / 3
-    for index, seat in enumerate(contest.terms.seats):
+    for index in range(len(contest.terms.seats)):
         x, base = area.x + (index + 1) * step, area.y + 14 * s
         name = t.fitted(player_name(contest.terms, index, w), 15, step - 10 * s)
         t.draw(surface, name, (x, base), 15, theme.ACCENT)
         own = scorecard.totals(contest.card, index)
-        ever = career(seat.name, contest.terms.game) if seat.name else Figures()
+        ever = _ever(contest, index, career)
         for place, line in enumerate(_figures(own)):
             t.draw(surface, line, (x, base + ROW * (place + 1) * s), SIZE, theme.TEXT)
         below = base + ROW * (len(LINES) + 2) * s
@@ -161,14 +162,21 @@ def _players(
         at = (area.x, area.y + (14 + ROW * (place + 1)) * s)
         label = "break" if line == "best" and _frames(contest) else line
         t.draw(surface, w[f"sheet.{label}"], at, SIZE, theme.TEXT_SOFT)
-    seats = [seat.name for seat in contest.terms.seats if seat.name]
-    if not any(career(name, contest.terms.game).matches for name in seats):
+    if not any(_ever(contest, k, career).matches for k in range(len(contest.terms.seats))):
         return
     for place, line in enumerate(("career", "won", "average", "best", "share")):
         at = (area.x, area.y + (14 + ROW * (len(LINES) + 2 + place)) * s)
         t.draw(surface, w[f"sheet.{line}"], at, SIZE, theme.TEXT_SOFT)
     top = area.y + (14 + ROW * (len(LINES) + 1)) * s
     shapes.bar(surface, pygame.Rect(area.x, round(top), area.w, max(1, round(s))), theme.LINE)
+
+
+def _ever(contest: Contest, index: int, career: Callable[[str, str], Figures]) -> Figures:
+    """What a person has done in the game so far; nothing for the computer."""
+    seat = contest.terms.seats[index]
+    if seat.level != HUMAN:
+        return Figures()
+    return career(kept_name(seat.name, index), contest.terms.game)
 
 
 def _figures(own: scorecard.Totals) -> list[str]:

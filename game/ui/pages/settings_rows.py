@@ -36,6 +36,7 @@ CHOSEN: tuple[SettingsRow, ...] = (
     SettingsRow("cloth", "choice", CHOICES["cloth"]),
     SettingsRow("law", "choice", tuple(LAWS)),
     SettingsRow("engine", "choice", CHOICES["engine"]),
+    SettingsRow("squirt", "choice", CHOICES["squirt"]),
     SettingsRow("aids", "choice", CHOICES["aids"], gap=True),
     SettingsRow("level", "choice", CHOICES["level"]),
     SettingsRow("colours", "choice", CHOICES["colours"]),

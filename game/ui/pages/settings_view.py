@@ -32,7 +32,7 @@ PAD = 28
 TOP = 66
 """Where the rows begin, below the title."""
 FOOT = 44
-ROW, GAP = 38, 12
+ROW, GAP = 36, 10
 SPLIT = 0.56
 """Share of the width at which the keys begin."""
 KEY_ROW = 26

@@ -38,7 +38,8 @@ def _refused(sight: Sight) -> bool:
 
 def tip_key(sight: Sight) -> Hashable:
     """What the card of the tip point depends on."""
-    return sight.session.aim.tip, _refused(sight), sight.settings.aids
+    aim = sight.session.aim
+    return aim.tip, _refused(sight), sight.settings.aids, aim.squirts
 
 
 def tip_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -58,7 +59,18 @@ def tip_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame
     names = [w["aids." + key] for key in CHOICES["aids"]]
     chosen = CHOICES["aids"].index(sight.settings.aids)
     cue_card.choices(surface, _aids(rect, sight), sight.type, names, chosen)
+    box, on = cue_card.corner(rect, sight.layout.s), sight.session.aim.squirts
+    cue_card.switch(surface, box, sight.type, _squirt(sight), on=on)
     return rect
+
+
+def _squirt(sight: Sight) -> str:
+    """By how much the ball leaves the cue's line, and to which side; or that it does not."""
+    aim, w = sight.session.aim, sight.words
+    if not aim.squirts:
+        return w["squirt.off"]
+    side = "left" if aim.squirt > 0.0 else "right"
+    return w[f"squirt.{side}"].format(n=number(abs(aim.squirt), 1))
 
 
 def _aids(rect: pygame.Rect, sight: Sight) -> list[pygame.Rect]:
@@ -79,6 +91,8 @@ def tip_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
         for key, box in zip(CHOICES["aids"], _aids(rect, sight), strict=True):
             if box.collidepoint(at):
                 return Action("aids", key)
+        if cue_card.corner(rect, s).collidepoint(at):
+            return Action("squirt")
         if cue_card.side_view(rect, s).collidepoint(at):
             pointer.grip = "elevation"
         elif hypot(right, up) <= 1.0:

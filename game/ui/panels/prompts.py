@@ -9,7 +9,6 @@ from __future__ import annotations
 from game.session.action import Action
 from game.session.running_match import Contest
 from game.session.session import Session
-from game.session.terms import HUMAN
 
 Button = tuple[str, str, Action | None]
 """Keys of the texts for the label and the key cap, and what a press means, None for nothing."""
@@ -102,7 +101,7 @@ def hint(session: Session) -> str | None:
     if session.moving:
         return "hint.rolling"
     if contest.match.finished:
-        return "hint.rack" if contest.between else _over(contest)
+        return "hint.rack" if contest.between else "hint.over"
     if contest.level is not None:
         return "hint.thinks"
     if session.shown_shot:
@@ -110,12 +109,6 @@ def hint(session: Session) -> str | None:
     if contest.in_hand and session.aim.complete and not contest.may_call:
         return "hint.placed"
     return _calling(contest) or ("hint.match" if session.aim.complete else None)
-
-
-def _over(contest: Contest) -> str:
-    """The key of the hint after a match: figures are kept of people by their names alone."""
-    people = [seat for seat in contest.terms.seats if seat.level == HUMAN]
-    return "hint.over" if all(seat.name for seat in people) else "hint.over.nameless"
 
 
 def _calling(contest: Contest) -> str | None:

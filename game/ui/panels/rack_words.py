@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from danggu.rules.verdict import Verdict
 from game.session import scorecard
 from game.session.running_match import Contest
+from game.session.session import Session
 from game.ui.names import player_name
 from game.ui.table.looks import ball_words
 
@@ -81,12 +82,25 @@ def facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:
     warned = match.state.warned
     if verdict.foul and warned and warned[contest.shooter]:
         return [*said, w["fact.warned"]]
+    if match.finished and contest.terms.discipline.points:
+        return said
     if match.finished:
-        return [*said, w["fact.racks"].format(won=" : ".join(map(str, contest.race.won)))]
+        word = "fact.frames" if match.rules.key == FRAMES else "fact.racks"
+        return [*said, w[word].format(won=" : ".join(map(str, contest.race.won)))]
     passes = "fact.passes" if match.at != contest.shooter else "fact.same"
     if match.at != contest.shooter and contest.in_hand and verdict.foul:
         return [*said, w[passes], w["fact.hand"]]
     return [*said, w[passes]]
+
+
+def so_far(session: Session, w: dict[str, str]) -> tuple[str, str]:
+    """What a stroke has brought by the moment on show: how many balls are down, and which."""
+    events = session.timeline.events[: session.timeline.passed]
+    down = [event.balls[0] for event in events if event.kind == "pocket"]
+    if session.shooter in down:
+        return str(len(down)), w["fact.cue_down"]
+    said = w["fact.down"].format(balls=_names(down, w)) if down else w["fact.none_down"]
+    return str(len(down)), said[:1].upper() + said[1:]
 
 
 def gift(contest: Contest, verdict: Verdict, w: dict[str, str]) -> str:

@@ -20,7 +20,7 @@ from game.ui.sight import Place, Sight
 from game.ui.table import drag_aim, place_balls
 from game.ui.table.looks import ball_words, looks_of
 
-from . import aim_panel, asked_card, nominate, score_plates, time_strip
+from . import aim_panel, asked_card, nominate, rack_words, score_plates, time_strip
 from .parts import Panel, number
 
 # -- the row above the table ---------------------------------------------------------------------
@@ -88,6 +88,8 @@ def _result_look(sight: Sight) -> score_plates.Result:
     if settled := sight.session.settled:
         badge, tone = score_plates.counted(settled)
         return badge, score_plates.reason(settled, w), second, tone
+    if contest is not None and not contest.terms.discipline.position and contest.lag is None:
+        return *rack_words.so_far(sight.session, w), second, TEXT
     return str(balls), first, second, TEXT
 
 
@@ -195,8 +197,9 @@ def _table_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
         return None
     if sight.pointer.pressing and (pocket := nominate.pocket_at(at, sight)):
         return Action("call", f"pocket {pocket}")
-    if session.arranging or not on_bed:
-        return None
+    held, action = place_balls.put_again(at, sight)
+    if held or session.arranging or not on_bed:
+        return action
     return drag_aim.touch(at, sight)
 
 

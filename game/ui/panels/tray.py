@@ -31,7 +31,7 @@ def key(sight: Sight) -> Hashable:
     session = sight.session
     gone = tuple(ball.gone for ball in session.world.balls)
     contest = session.contest
-    return gone, contest and contest.match.state, contest and contest.match.at, sight.settings
+    return gone, session.cue, contest and contest.match, sight.settings
 
 
 def slots(session: Session) -> list[str]:
@@ -39,7 +39,8 @@ def slots(session: Session) -> list[str]:
     names = [ball.name for ball in session.world.balls if ball.name != session.cue]
     names = [name for name in names if name != "cue"]
     if "black" in names:
-        return ["red", *COLOURS]
+        there = {colour_of(name) for name in names}
+        return [name for name in ("red", *COLOURS) if name in there]
     return sorted(names, key=lambda name: (int(name) if name.isdigit() else 0, name))
 
 

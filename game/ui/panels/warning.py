@@ -17,7 +17,8 @@ def of(sight: Sight) -> str:
     ready = aim.complete and not aim.faults and contest.match.asked is None
     if idle or not ready or contest.lag is not None or sight.settings.aids == "off":
         return ""
-    return _first(session, contest, sight.words) or _down(session, contest, sight.words)
+    w = sight.words
+    return _first(session, contest, w) or _down(session, contest, w) or _other(session, w)
 
 
 def _first(session: Session, contest: Contest, w: dict[str, str]) -> str:
@@ -42,3 +43,9 @@ def _down(session: Session, contest: Contest, w: dict[str, str]) -> str:
     falls = (e.wall or "" for e in seen.story.events if e.kind == "pocket" and cue in e.balls)
     pocket = next(falls, None)
     return "" if pocket is None else w["warn.cue"].format(pocket=w.get(f"pocket.{pocket}", pocket))
+
+
+def _other(session: Session, w: dict[str, str]) -> str:
+    """Any other foul that the rules see in the whole stroke: no cushion, a jump in snooker."""
+    seen = session.preview
+    return w[f"reason.{seen.fault}"] if seen is not None and seen.fault else ""

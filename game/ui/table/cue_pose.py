@@ -51,7 +51,8 @@ def pose(session: Session, still: bool) -> Pose | None:
         ball = session.world.ball(session.cue)
         steep = tip_of(shot).elevation or 0.0
         back = pull(session.aim.power or shot.speed, session.aim.strongest)
-        return Pose(ball.position, radians(shot.angle), back, 1.0, ball.radius, steep)
+        along = radians(shot.angle - session.aim.squirt)
+        return Pose(ball.position, along, back, 1.0, ball.radius, steep)
     if not (session.shown_shot and session.shots) or still:
         return None
     return _stroke(session, session.timeline.moment - session.began)
@@ -67,6 +68,6 @@ def _stroke(session: Session, time: float) -> Pose | None:
     left = max(0.0, 1.0 - time / THROUGH)
     ahead = min(FOLLOW * speed, FARTHEST) * (1.0 - left**3)
     alpha = 1.0 - max(0.0, time - THROUGH) / FADE
-    angle = atan2(struck.velocity[1], struck.velocity[0])
+    angle = atan2(struck.velocity[1], struck.velocity[0]) - radians(session.aim.squirt)
     radius = session.world.ball(session.shooter).radius
     return Pose(struck.position, angle, -ahead, round(alpha, 2), radius, session.aim.raised)

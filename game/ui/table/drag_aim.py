@@ -51,7 +51,7 @@ def on_cue(at: complex, sight: Sight) -> bool:
     if shot is None or sight.mode != "aim":
         return False
     own = session.world.ball(session.cue)
-    away = (_ball(sight) - at) * rect(1.0, -radians(shot.angle))
+    away = (_ball(sight) - at) * rect(1.0, -radians(shot.angle - session.aim.squirt))
     start = own.radius + pull(session.aim.power or shot.speed, sight.session.aim.strongest)
     reach = REACH * sight.layout.s / sight.layout.scale
     return start - reach < away.real < start + cue_stick.LENGTH and abs(away.imag) < reach

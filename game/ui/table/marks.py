@@ -15,6 +15,7 @@ from game.render.parts import cards
 from game.render.table import hand, lines, pocket_marks
 from game.render.table.plan import Hole
 from game.render.theme import ACCENT, LILAC, WHITE, BallLook
+from game.session.notice import Notice
 from game.session.session import Session
 
 from . import furniture, preview_lines
@@ -35,9 +36,9 @@ def key(session: Session, aids: str) -> object:
     """What decides how the marks look: equal keys, equal marks."""
     if aiming(session):
         if session.arranging:
-            return "arrange", session.held_ball, session.stamp, in_hand(session)
+            return "arrange", session.held_ball, session.stamp, in_hand(session), _refused(session)
         theirs = computer(session), coached(session)
-        return "aim", session.preview_key, aids, theirs, call_of(session)
+        return "aim", session.preview_key, aids, theirs, call_of(session), _refused(session)
     if session.shown_shot:
         at = None if session.timeline.runs else session.timeline.at
         return (
@@ -67,7 +68,8 @@ def draw(
     if aiming(session):
         if session.arranging:
             return _taken(surface, layout, session)
-        rects = _called(surface, layout, session, looks, holes or {})
+        rects = _taken(surface, layout, session) if _refused(session) else []
+        rects += _called(surface, layout, session, looks, holes or {})
         return rects + _aim(surface, layout, session, looks, aids, holes or {})
     return _traces(surface, layout, session, looks) if session.shown_shot else []
 
@@ -129,8 +131,28 @@ def _taken(surface: pygame.Surface, layout: Layout, session: Session) -> Rects:
     region = in_hand(session)
     if not region:
         return [lines.ring(surface, centre, 1.45 * radius, ACCENT, 2.0 * layout.s, 0.95)]
-    room = hand.region(surface, layout, table, region)
-    return [room, hand.held(surface, centre, radius, layout.s)]
+    rects = [hand.region(surface, layout, table, region)]
+    rects.append(hand.held(surface, centre, radius, layout.s))
+    return rects + _forbidden(surface, layout, session)
+
+
+def _refused(session: Session) -> Notice | None:
+    """What is said of a place that the ball in hand may not be put to."""
+    notice = session.notice
+    return notice if notice is not None and notice.at is not None else None
+
+
+def _forbidden(surface: pygame.Surface, layout: Layout, session: Session) -> Rects:
+    """Show that place, and the ball that is in the way there."""
+    notice, world, rects = _refused(session), session.world, []
+    if notice is None or notice.at is None:
+        return []
+    for ball in world.balls:
+        radius = ball.radius * layout.scale
+        if ball.name == notice.about:
+            rects.append(hand.blocking(surface, layout.to_screen(*ball.position), radius, layout.s))
+    radius = world.ball(session.held_ball).radius * layout.scale
+    return [*rects, hand.forbidden(surface, layout.to_screen(*notice.at), radius, layout.s)]
 
 
 def in_hand(session: Session) -> str:

@@ -40,6 +40,23 @@ def touch(at: Place, sight: Sight) -> Action | None:
     return Action("move", f"{spot[0] + off[0]:.5f} {spot[1] + off[1]:.5f}")
 
 
+def put_again(at: Place, sight: Sight) -> tuple[bool, Action | None]:
+    """Whether a press or a drag on the cloth has hold of a cue ball in hand that had been put down
+    already; and what it means: the ball is put elsewhere, and the aim stays."""
+    session, pointer = sight.session, sight.pointer
+    contest, spot = session.contest, sight.layout.to_table(*at)
+    if contest is None or not contest.in_hand or contest.level is not None or session.shown_shot:
+        return False, None
+    ball = session.world.ball(session.cue)
+    if pointer.pressing and dist(ball.position, spot) < ball.radius:
+        pointer.grip = tuple(p - q for p, q in zip(ball.position, spot, strict=True))
+    off = pointer.grip
+    if not isinstance(off, tuple):
+        return False, None
+    to = f"{spot[0] + off[0]:.5f} {spot[1] + off[1]:.5f}"
+    return True, Action("put", to) if pointer.stirred else None
+
+
 def _in_hand(spot: Place, sight: Sight) -> Action | None:
     """Where the cue ball of a match goes: where the mouse is, or by as much as it is dragged."""
     pointer = sight.pointer

@@ -16,7 +16,7 @@ from game.render.table.finish import FINISHES
 from game.session.session import Session
 from game.settings.settings import Settings
 
-from . import labels, marks, preview_lines
+from . import balklines, labels, marks, preview_lines
 from .cue_pose import Pose, pose
 from .dropped import AWAY, Dropped
 from .furniture import falls_into, furnished, holes
@@ -47,6 +47,7 @@ class Stage:
     ) -> None:
         self.layout = layout
         self.base, wells = furnished(layout, session.world)
+        balklines.draw(self.base, layout, session)
         self.lines = self.base.copy()
         self.settings, self.sketch = settings, Sketch()
         kind, radii = kind_of(session.world), [ball.radius for ball in session.world.balls]
@@ -179,7 +180,9 @@ class Stage:
     def _room(self, spot: Spot) -> pygame.Rect:
         """The square around a ball and its shadow, which a ball in the air leaves behind."""
         x, y = self.layout.to_screen(*spot.at)
-        reach = self._reach + ceil(FAR * max(0.0, spot.height) * self.layout.scale)
+        reach = self._reach
+        if spot.height > 0.0:
+            reach += ceil(FAR * spot.height * self.layout.scale)
         return pygame.Rect(int(x) - reach, int(y) - reach, 2 * reach, 2 * reach)
 
     def _fanned(self, session: Session) -> int:
