@@ -31,6 +31,7 @@ from .ui.pages.menu import MenuPage
 from .ui.pages.score_page import ScorePage
 from .ui.view import View
 from .ui.watching import WatchingLayer
+from .window import screen
 from .window.canvas import Canvas
 from .window.clock import RealClock, VirtualClock
 from .window.stats import Stats
@@ -67,11 +68,14 @@ class App:
         pygame.font.init()
         self.session, self.options = session, options
         self.script = script or Script([])
-        self.screen = pygame.display.set_mode(options.size, pygame.RESIZABLE)
+        self.preferences = preferences or Preferences()
+        full = self.preferences.settings.full and "size" not in options.given
+        self.screen = screen.opened(options.size, full=full)
+        self._window = options.size
+        """The size of the window that a full screen goes back to."""
         pygame.display.set_caption(TITLE)
         self.canvas = Canvas(self.screen)
         self.stats = Stats()
-        self.preferences = preferences or Preferences()
         length, width = table_size(session.world)
         self.view = View(session, self.canvas.surface.get_size(), length, width, self.preferences)
         self.ear = Ear(length / 2)
@@ -252,8 +256,19 @@ class App:
         """Show what has been chosen for seeing and hearing."""
         if action.name == "colours":
             self.view.renew(*table_size(self.session.world))
+        elif action.name == "full":
+            self._fill()
         self.view.expose()
         self.redraw()
+
+    def _fill(self) -> None:
+        """Fill the screen, or go back to a window as large as before."""
+        full = self.preferences.settings.full
+        if full:
+            self._window = self.screen.get_size()
+        self.screen = screen.opened(self._window, full=full)
+        self._resize()
+        self._save()
 
     def _relay(self) -> None:
         """The game has moved to another table."""
@@ -271,7 +286,8 @@ class App:
             self.screen = pygame.display.get_surface() or self.screen
             self.canvas = Canvas(self.screen)
             self.view.resize(self.canvas.surface.get_size())
-            self.preferences.settings.size = self.screen.get_size()
+            if not self.preferences.settings.full:
+                self.preferences.settings.size = self.screen.get_size()
             self.redraw()
 
     def _sync_typing(self) -> None:

@@ -152,6 +152,8 @@ TABLE = (
             rows=(HelpRow("aim", 9, "@fan", "help.fan"),)),
     Command("both", _own("both"), keys=(Key("n"),), own=True,
             rows=(HelpRow("always", 8, "@both", "key.both"),)),
+    Command("full", _own("full"), keys=(Key("f11", always=True),), own=True,
+            rows=(HelpRow("always", 6.5, "@full", "key.full"),)),
     Command("arrange", table.arrange, keys=(Key("b"),),
             rows=(HelpRow("play", 11, "@arrange", "key.arrange"),), aims=True),
     Command("sketch", play.sketch, keys=(Key("g"),),

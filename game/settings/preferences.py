@@ -62,6 +62,10 @@ class Preferences:
         """The spread of the shot on or off."""
         self.settings.fan = not self.settings.fan
 
+    def full(self) -> None:
+        """Fill the screen, or show a window."""
+        self.settings.full = not self.settings.full
+
     def volume(self, value: int) -> None:
         """Set the volume, 0 to LOUDEST."""
         self.settings.volume = min(max(value, 0), LOUDEST)

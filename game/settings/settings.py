@@ -46,6 +46,7 @@ class Settings:
     still               reduced motion
     both                a log in two languages
     fan                 the spread of a shot
+    full                does the window fill the screen?
     keys                the changed ones, action to key
     size                of the window, px
     """
@@ -62,6 +63,7 @@ class Settings:
     still: bool = False
     both: bool = False
     fan: bool = False
+    full: bool = False
     keys: dict[str, str] = field(default_factory=dict)
     size: tuple[int, int] = (1280, 720)
 

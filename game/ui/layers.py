@@ -76,14 +76,15 @@ class QuestionLayer:
 
 
 class KeysLayer:
-    """The page of keys: a few keys and a click close it, nothing else gets through."""
+    """The page of keys: a few keys and a click close it; keys that always work go on from it."""
 
     def __init__(self, view: View) -> None:
         self.view = view
 
     def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
-        """Close it, or change its language."""
-        if not self.view.session.help:
+        """Close it, change its language, or go on to another page."""
+        session = self.view.session
+        if not session.help:
             return None
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             return answer(Action("help"))
@@ -92,7 +93,11 @@ class KeysLayer:
         always = self.view.preferences.keys.always.get(event.key)
         if event.key in place_balls.DONE or always == Action("help"):
             return answer(Action("help"))
-        return answer(always if always == Action("language") else None)
+        if always is None or always.name not in ("sheet", "settings"):
+            return answer(always)
+        # the page that it lies over is uncovered, not closed
+        below = (always.value or always.name) == session.page
+        return Answer((Action("help"), *(() if below else (always,))))
 
 
 class PageLayer:

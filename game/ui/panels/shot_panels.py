@@ -104,16 +104,21 @@ def _log_key(sight: Sight) -> Hashable:
 def log_rows(
     session: Session, w: dict[str, str], colours: str = "usual", hit: str = "event.ball"
 ) -> list[cards.LogRow]:
-    """The events of the shot that matter to a player; `hit` is the key for balls that meet."""
+    """The events of the shot that matter to a player, each with its ball's name.
+
+    `hit` is the key for balls that meet; with any but the usual one, which names both, rows are for
+    a second language beside the first and name no ball again.
+    """
+    named = hit == "event.ball"
     names = [ball.name for ball in session.world.balls]
     colour = dict(zip(names, looks_of(session.world, colours), strict=True))
 
     def dots(balls: tuple[str, ...]) -> tuple[tuple[tuple[int, int, int], str], ...]:
         return tuple((colour[b].ui, colour[b].letter) for b in balls)
 
-    rows = (
-        [cards.LogRow("0.00", dots((session.shooter,)), w["event.strike"])] if session.shots else []
-    )
+    struck = w["event.strike"]
+    struck = _of("strike", session.shooter, struck, w) if named else struck
+    rows = [cards.LogRow("0.00", dots((session.shooter,)), struck)] if session.shots else []
     for event in session.timeline.notable:
         balls = event.balls
         if balls[-1] == session.shooter:
@@ -127,11 +132,18 @@ def log_rows(
         elif event.kind == "cushion":
             side, inner = w.get(f"wall.{event.wall}"), "event.cushion.inner"
             inner = "event.jaw" if "pocket" in (event.wall or "") else inner
-            said = w["event.cushion"].format(wall=side) if side else w[inner]
+            met = w["event.cushion"].format(wall=side) if side else w[inner]
+            said = _of("cushion", balls[0], met, w) if named else met
         else:
             said = w["event.rest"]
+            said = _of("rest", balls[0], said, w) if named else said
         rows.append(cards.LogRow(number(event.time - session.began), dots(balls), said))
     return rows
+
+
+def _of(kind: str, ball: str, said: str, w: dict[str, str]) -> str:
+    """Say what happened to a ball with its name."""
+    return w[f"event.of.{kind}"].format(ball=ball_words(ball, w), said=said)
 
 
 def _log_times(session: Session) -> list[float]:
