@@ -1,5 +1,7 @@
 """What a newcomer needs in the first minute: names in the log, pages by one key, a full screen."""
 
+from math import pi
+
 import pygame
 import pytest
 
@@ -7,7 +9,9 @@ from game.input.captions import words
 from game.session.action import Action
 from game.session.terms import Contestant, Terms
 from game.ui.halls import goal, handicap
+from game.ui.panels import launch_card
 from game.ui.panels.shot_panels import log_rows
+from physics import CueStroke
 from tests.support.players import FRAME, an_app, assert_same_as_anew, press
 
 LANGUAGES = pytest.mark.parametrize("language", ["en", "ko"])
@@ -68,3 +72,45 @@ def test_a_handicap_of_four_ball_is_said_as_halls_say_it(language):
     assert handicap(Terms("four-ball", seats), 0, w) != []
     assert goal(Terms("three-cushion", seats, "match"), 0, w) == "15"
     assert handicap(Terms("three-cushion", seats, "match"), 0, w) == []
+
+
+def read_out(app):
+    """What the card of the read-outs says."""
+    said = []
+    draw = launch_card.cards.readouts
+    launch_card.cards.readouts = lambda surface, rect, type_, items: said.append(items) or rect
+    try:
+        launch_card.draw(app.screen, app.view.sight.layout.readouts, app.view.sight)
+    finally:
+        launch_card.cards.readouts = draw
+    return [(value, unit) for _, value, unit in said[0]]
+
+
+def test_the_read_outs_say_before_the_stroke_how_the_ball_will_leave():
+    app = an_app()
+    app.perform(Action("set", "speed 3 follow 0 masse 0 side 1.5 angle 30"))
+    assert launch_card.wanted(app.view.sight)
+    (speed, _), (spin, _), (squirt, side) = read_out(app)
+    ball = app.session.world.ball("white")
+    assert speed == "3.00"
+    assert float(spin) == pytest.approx(1.5 / (2 * pi * ball.radius), abs=0.05)
+    # a tip at 0.2 R, right of the centre, drives the ball to the left of the cue's line
+    wanted = CueStroke(3.0, side=0.2).squirt
+    assert (squirt, side) == (f"{wanted:.1f}°", "left")
+    assert wanted > 0.5
+    app.perform(Action("shoot"))
+    assert not launch_card.wanted(app.view.sight)
+
+
+def test_the_read_outs_say_how_steeply_a_ball_hops_that_is_driven_into_the_cloth():
+    app = an_app()
+    for action in (Action("centre"), Action("elevate", "40")):
+        app.perform(action)
+    assert read_out(app)[2][0].endswith("°")
+    assert float(read_out(app)[2][0][:-1]) > 5.0
+
+
+def test_spins_that_no_cue_gives_have_no_squirt():
+    app = an_app()
+    app.perform(Action("set", "speed 3 follow 0 masse 4 side 0 angle 30"))
+    assert read_out(app)[2][0] == "–"
