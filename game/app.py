@@ -69,12 +69,7 @@ class App:
         self.session, self.options = session, options
         self.script = script or Script([])
         self.preferences = preferences or Preferences()
-        full = self.preferences.settings.full and "size" not in options.given
-        self.screen = screen.opened(options.size, full=full)
-        self._window = options.size
-        """The size of the window that a full screen goes back to."""
-        pygame.display.set_caption(TITLE)
-        self.canvas = Canvas(self.screen)
+        self._open(options)
         self.stats = Stats()
         length, width = table_size(session.world)
         self.view = View(session, self.canvas.surface.get_size(), length, width, self.preferences)
@@ -97,6 +92,16 @@ class App:
         self._texts = False
         """Was text input on when SDL made the events of this frame?"""
         self._sync_typing()
+
+    def _open(self, options: Options) -> None:
+        """Open the window; one of a size that was asked for does not fill the screen."""
+        full = self.preferences.settings.full and "size" not in options.given
+        self.preferences.settings.full = full
+        self.screen = screen.opened(options.size, full=full)
+        self._window = options.size
+        """The size of the window that a full screen goes back to."""
+        pygame.display.set_caption(TITLE)
+        self.canvas = Canvas(self.screen)
 
     def run(self) -> None:
         """Play until the window is closed, or for the number of frames asked for."""
@@ -198,7 +203,12 @@ class App:
             return
         page = self.session.page
         self.actions.append((self.session.tick, action))
+        steps = len(self.session.history.past)
+        if action.name == "open":
+            self.view.last.opened(str(action.value))
         self._act(action)
+        self.view.toast.note(action, step=len(self.session.history.past) > steps)
+        self.view.note()
         if self.session.page and self.session.page != page:
             self.view.open()
         if self.session.held:
@@ -246,6 +256,7 @@ class App:
             menu.offers, score.career = self.keeper.offered, self.keeper.statistics.of
             if self.folder is not None:
                 self.view.tracks.file = OwnTableFile(self.folder)
+                self.view.shots.path = self.folder / "shots"
                 menu.own = lambda: self.view.tracks.file.key
 
     def redraw(self, changed: bool = True) -> None:
@@ -306,6 +317,7 @@ class App:
         if self.journal is not None:
             self.journal.passed()
         self.keeper.note()
+        self.view.note()
         self.view.stage.follow(self.session)
 
     def _watch(self, replay: Replay, end: int) -> int:

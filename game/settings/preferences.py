@@ -77,6 +77,12 @@ class Preferences:
         after = keys[(keys.index(self.settings.aids) + 1) % len(keys)]
         self.settings.aids = key or after
 
+    def diamonds(self, key: str = "") -> None:
+        """Show where strokes over the diamonds lead: none, one's own, or the corner system's."""
+        keys = CHOICES["diamonds"]
+        after = keys[(keys.index(self.settings.diamonds) + 1) % len(keys)]
+        self.settings.diamonds = key or after
+
     def colours(self, key: str) -> None:
         """Take a set of balls."""
         self.settings.colours = key

@@ -30,6 +30,7 @@ CHOICES: dict[str, tuple[str, ...]] = {
     "engine": tuple(presets.ENGINES),
     "aids": ("off", "short", "full"),
     "colours": ("usual", "safe"),
+    "diamonds": ("off", "own", "five"),
 }
 """What can be chosen; "table" is the cloth, and the laws, that a table comes with."""
 SIDE = 200, 16384
@@ -41,7 +42,7 @@ class Settings:
     """The choices, each with its usual value.
 
     language .. engine  as the commands of these names take them
-    aids, colours       keys of CHOICES
+    aids, colours, diamonds  keys of CHOICES
     volume              0 to LOUDEST
     still               reduced motion
     both                a log in two languages
@@ -58,6 +59,7 @@ class Settings:
     engine: str = "exact"
     aids: str = "full"
     colours: str = "usual"
+    diamonds: str = "off"
     volume: int = 8
     muted: bool = False
     still: bool = False

@@ -15,13 +15,18 @@ from game.input.key_tables import of_key, of_text
 from game.session.action import Action
 from game.session.commands import COMMANDS
 
-from .panels import asked_card, nominate, prompts
+from .panels import asked_card, nominate, prompts, sharing
 from .table import place_balls
 from .view import View
 
 MOUSE = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
 INPUT = (pygame.KEYDOWN, pygame.TEXTINPUT, pygame.MOUSEWHEEL, *MOUSE)
 """The events that go down the layers."""
+SHEETS = {
+    pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_PAGEUP: -1, pygame.K_PAGEDOWN: 1,
+    pygame.K_TAB: 1,
+}  # fmt: skip
+"""Keys that turn the sheets of the page of keys."""
 
 
 class Answer(NamedTuple):
@@ -90,6 +95,9 @@ class KeysLayer:
             return answer(Action("help"))
         if event.type != pygame.KEYDOWN:
             return Answer()
+        if event.key in SHEETS:
+            self.view.turn_keys(SHEETS[event.key])
+            return Answer(redraw=True)
         always = self.view.preferences.keys.always.get(event.key)
         if event.key in place_balls.DONE or always == Action("help"):
             return answer(Action("help"))
@@ -177,6 +185,26 @@ class SketchLayer:
         return None
 
 
+class ShareLayer:
+    """Ctrl+C and Ctrl+V where no text is meant: a shot goes into the clipboard or comes out."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Copy the shot on show, or open the one that has been copied."""
+        ctrl = getattr(event, "mod", 0) & editing.COMMAND
+        if event.type != pygame.KEYDOWN or not ctrl or event.mod & pygame.KMOD_ALT:
+            return None
+        view, edited = self.view, self.view.session.aim.edited
+        if event.key == pygame.K_c and not (edited and edited.selected):
+            sharing.copy(view.last, view.toast)
+            return Answer(redraw=True)
+        if event.key == pygame.K_v and (edited is None or sharing.offered()):
+            return answer(sharing.paste(view.toast), redraw=True)
+        return None
+
+
 class BoxLayer:
     """The box that is edited: keys and characters go into it."""
 
@@ -242,7 +270,8 @@ class Layers:
         self.view = view
         self.stack: tuple[Layer, ...] = (
             *first, QuestionLayer(view), KeysLayer(view), PageLayer(view), AskedLayer(view),
-            SketchLayer(view), PlacingLayer(view), BoxLayer(view), TableLayer(view),
+            SketchLayer(view), PlacingLayer(view), ShareLayer(view), BoxLayer(view),
+            TableLayer(view),
         )  # fmt: skip
 
     def ask(self, event: pygame.event.Event, texts: bool) -> Answer:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 from math import dist
 
 import pygame
@@ -12,9 +12,11 @@ from game.input.composing import Composition
 from game.input.pointer import SLACK, Pointer
 from game.render.font import Type
 from game.render.layout import Layout
+from game.replay.last_stroke import LastStroke
 from game.session.action import Action
 from game.session.session import Session
 from game.settings.preferences import Preferences
+from game.settings.shot_folder import ShotFolder
 from game.text.text_field import TextField
 from game.ui.sight import Sight
 
@@ -27,11 +29,15 @@ from .pages.rules_page import RulesPage
 from .pages.score_page import ScorePage
 from .pages.settings_page import SettingsPage
 from .pages.shelf import ShelfPage
+from .pages.shots_page import ShotsPage
 from .pages.tracks_page import TracksPage
+from .panels import caption
 from .panels.asked_card import options
 from .panels.parts import Panel, fixed_parts
 from .panels.shot_panels import shot_parts
+from .panels.toast import Toast
 from .table.marks import aiming
+from .table.over import Card
 from .table.sketch import Sketch
 from .table.stage import Stage
 
@@ -53,13 +59,17 @@ class View:
         preferences: Preferences | None = None,
     ) -> None:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
-        self.sketch, self.tracks = Sketch(), TracksPage()
+        self.sketch, self.tracks, self.toast = Sketch(), TracksPage(), Toast()
+        self.last, self.shots = LastStroke(session), ShotFolder()
         self.pages: dict[str, Page] = {
             "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
             "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
-            "tracks": self.tracks,
+            "tracks": self.tracks, "save": ShotsPage(self.last, self.shots, saving=True),
+            "shots": ShotsPage(self.last, self.shots, saving=False),
         }  # fmt: skip
         self.composition = Composition()
+        self.keys_sheet = 0
+        """Which sheet of the page of keys is on show."""
         self.question: Question | None = None
         """What is asked over the page before it is done."""
         self.preferences = preferences or Preferences()
@@ -92,6 +102,17 @@ class View:
             return self.session.aim.edited
         found = None if self.question is not None else getattr(self.page, "field", None)
         return found if isinstance(found, TextField) else None
+
+    def note(self) -> None:
+        """Something has happened in the game."""
+        if self.last.note():
+            same = self.last.came
+            self.toast.say("toast.same" if same else "toast.differs", bad=not same)
+
+    def turn_keys(self, step: int) -> None:
+        """Turn to another sheet of the page of keys."""
+        self.keys_sheet = (self.keys_sheet + step) % keys_page.sheets()
+        self.expose()
 
     def ask(self, action: Action) -> None:
         """Ask over the page whether an action is to be done."""
@@ -150,10 +171,16 @@ class View:
         self._whole = True
 
     def think(self, seconds: float) -> tuple[bool, bool]:
-        """Work on what takes more than a frame, the spread: has anything changed, is it going on?
+        """Work on what takes more than a frame: has anything changed, is it going on?
 
         `seconds` have passed since the last time.
         """
+        gone = self.toast.passed(seconds)
+        changed, going = self._work(seconds)
+        return changed or gone, going
+
+    def _work(self, seconds: float) -> tuple[bool, bool]:
+        """Work on a fit, a ball that falls, or the spread."""
         session, spread = self.session, self.spread
         if self.tracks.running:
             return self.tracks.think(seconds), True
@@ -175,6 +202,7 @@ class View:
 
     def draw(self, surface: pygame.Surface) -> list[pygame.Rect]:
         """Bring the surface up to date; returns the rectangles that changed."""
+        self.stage.over.cards = (*self._cards(),)
         overlay = self._wanted()
         if overlay != self._overlay:
             self._overlay, self._whole = overlay, True
@@ -185,6 +213,12 @@ class View:
         if self.session.page:
             return self._draw_page(surface)
         return self.stage.draw(surface, self.session) + self._draw_parts(surface)
+
+    def _cards(self) -> Iterator[Card]:
+        """What lies over the table."""
+        self.stage.diamonds.key(self.session, self.preferences.settings.diamonds)
+        yield from caption.cards(self.sight, self.stage.diamonds)
+        yield from self.toast.cards(self.sight)
 
     def _wanted(self) -> Hashable:
         """What lies over the window: the page of keys, the settings, or None."""
@@ -214,7 +248,8 @@ class View:
         if self.session.help:
             layout = self.sight.layout
             names = self.preferences.keys.names
-            keys_page.draw(surface, layout, self.sight.type, self.session.language, names)
+            given = self.session.language, names, self.keys_sheet
+            keys_page.draw(surface, layout, self.sight.type, *given)
         elif self.session.page:
             keys_page.darken(surface)
             self._draw_page(surface)

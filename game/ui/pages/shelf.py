@@ -11,7 +11,7 @@ from game.input import editing
 from game.render.parts import text_line
 from game.session.action import Action
 from game.session.session import Session
-from game.table import lineup
+from game.table import lineup, shared
 from game.table.library import LONGEST_NAME, Library
 from game.table.lineup import MARK, LineError, Lineup
 from game.table.own_table import base
@@ -256,12 +256,13 @@ class ShelfPage:
         """Take the line in the box, or else the one in the clipboard; a broken one says why."""
         text = self.text if self.text.startswith(MARK) else clipboard.get() or self.text
         try:
-            lineup.read(text)
+            shot = text.startswith(shared.MARK)
+            (shared if shot else lineup).read(text)
         except LineError as error:
             self.text, self.said = text, (f"line.{error.reason}", error.word)
             return None
         self.text, self.said = "", ("", "")
-        return Action("line", text)
+        return Action("open" if shot else "line", text)
 
     def _delete(self) -> None:
         cards = self.cards

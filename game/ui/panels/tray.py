@@ -34,7 +34,8 @@ def key(sight: Sight) -> Hashable:
     gone = tuple(ball.gone for ball in session.world.balls)
     contest = session.contest
     leaves = launch_card.key(sight) if launch_card.wanted(sight) else None
-    return gone, leaves, contest and contest.match.state, contest and contest.match.at, sight.settings
+    match = (contest.match.state, contest.match.at) if contest else None
+    return gone, leaves, match, sight.settings
 
 
 def slots(session: Session) -> list[str]:

@@ -18,10 +18,12 @@ from game.settings.settings import Settings
 
 from . import labels, marks, preview_lines
 from .cue_pose import Pose, pose
+from .diamond_marks import DiamondMarks
 from .dropped import AWAY, Dropped
 from .furniture import falls_into, furnished, holes
 from .looks import kind_of, looks_of
 from .orientations import Orientations
+from .over import Over
 from .sketch import Sketch
 from .trail import Trail
 
@@ -57,6 +59,7 @@ class Stage:
         self.holes = holes(session.world)
         self.dropped = Dropped(falls_into(session.world), fine=many)
         self.trail, self.orientations = Trail(), Orientations(self.sprites)
+        self.over, self.diamonds = Over(), DiamondMarks()
         self.spread, self.fan = spread or Spread(), Fan(layout)
         self._time, self._shown = session.world.time, (session.began, session.timeline.at)
         self._under: object = None
@@ -93,7 +96,7 @@ class Stage:
 
     def draw(self, surface: pygame.Surface, session: Session) -> list[pygame.Rect]:
         """Bring the table up to date; returns the rectangles that changed."""
-        dirty = self._draw_lines(session)
+        dirty = self._draw_lines(session) + self.over.changed()
         if marks.aiming(session):
             self.sprites.settle()
         places = [spot for spot in self.dropped.spots(session) if spot.height > AWAY]
@@ -114,6 +117,7 @@ class Stage:
         """Draw the whole window's background and table again."""
         self._under = None
         self.trail.undrawn()
+        self.over.undrawn()
         self._balls = [(None, NOTHING)] * len(self.looks)
         self._cue = (None, NOTHING)
         self.lines.blit(self.base, (0, 0))
@@ -124,7 +128,10 @@ class Stage:
     def _draw_lines(self, session: Session) -> list[pygame.Rect]:
         """Redraw what lies under the balls if it is not what it was."""
         aids = self.settings.aids
-        key = marks.key(session, aids), self._fanned(session), self.sketch.key(session)
+        key = (
+            marks.key(session, aids), self._fanned(session), self.sketch.key(session),
+            self.diamonds.key(session, self.settings.diamonds),
+        )  # fmt: skip
         if key == self._under:
             grown = self.trail.draw(self.lines, self.layout, session, self.looks)
             self._marked += grown
@@ -137,6 +144,7 @@ class Stage:
         fan = self._draw_fan(session)
         given = self.lines, self.layout, session, self.looks
         self._marked = fan + marks.draw(*given, aids, self.holes)
+        self._marked += self.diamonds.draw(self.lines, self.layout, session)
         self._marked += self._labels(session)
         self._marked += self.sketch.draw(self.lines, self.layout, session)
         self.lines.set_clip(None)
@@ -217,6 +225,7 @@ class Stage:
         self.sprites.draw_all(surface, near)
         if stroke is not None and self._cue[1].colliderect(rect):
             cue_stick.draw(surface, self.layout, *stroke)
+        self.over.draw(surface, rect)
         surface.set_clip(None)
 
 
