@@ -95,9 +95,8 @@ class App:
 
     def _open(self, options: Options) -> None:
         """Open the window; one of a size that was asked for does not fill the screen."""
-        full = self.preferences.settings.full and "size" not in options.given
-        self.preferences.settings.full = full
-        self.screen = screen.opened(options.size, full=full)
+        self._full = self.preferences.settings.full and "size" not in options.given
+        self.screen = screen.opened(options.size, full=self._full)
         self._window = options.size
         """The size of the window that a full screen goes back to."""
         pygame.display.set_caption(TITLE)
@@ -274,10 +273,10 @@ class App:
 
     def _fill(self) -> None:
         """Fill the screen, or go back to a window as large as before."""
-        full = self.preferences.settings.full
-        if full:
+        self.preferences.settings.full = self._full = not self._full
+        if self._full:
             self._window = self.screen.get_size()
-        self.screen = screen.opened(self._window, full=full)
+        self.screen = screen.opened(self._window, full=self._full)
         self._resize()
         self._save()
 
@@ -297,7 +296,7 @@ class App:
             self.screen = pygame.display.get_surface() or self.screen
             self.canvas = Canvas(self.screen)
             self.view.resize(self.canvas.surface.get_size())
-            if not self.preferences.settings.full:
+            if not self._full:
                 self.preferences.settings.size = self.screen.get_size()
             self.redraw()
 

@@ -26,6 +26,11 @@ class Preferences:
         """Why the last key that was wished could not be had: reason, action, key."""
         self._sound()
 
+    def guided(self) -> None:
+        """The guide is over: it is never shown again."""
+        self.settings.guided = True
+        self.save()
+
     def note(self, action: Action, session: Session) -> None:
         """Remember what an action of the game has chosen."""
         if action == Action("engine") and session.engine != "exact":

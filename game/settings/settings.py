@@ -48,6 +48,7 @@ class Settings:
     both                a log in two languages
     fan                 the spread of a shot
     full                does the window fill the screen?
+    guided              has the guide through a first shot been shown or skipped?
     keys                the changed ones, action to key
     size                of the window, px
     """
@@ -66,6 +67,7 @@ class Settings:
     both: bool = False
     fan: bool = False
     full: bool = False
+    guided: bool = False
     keys: dict[str, str] = field(default_factory=dict)
     size: tuple[int, int] = (1280, 720)
 

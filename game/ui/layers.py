@@ -143,6 +143,27 @@ class PlacingLayer:
         return None if action is None else answer(action)
 
 
+class GuideLayer:
+    """The guide through a first shot: Esc skips it, a press on its card goes on."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Go on or skip; whatever else is done reaches the game, and the guide follows it."""
+        view = self.view
+        if not view.guide.step:
+            return None
+        editing_ = view.session.aim.box is not None
+        if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and not editing_:
+            view.guide.skip()
+            return Answer(redraw=True)
+        pressed = event.type == pygame.MOUSEBUTTONDOWN and event.button == 1
+        if pressed and view.guide.press(event.pos, view.sight):
+            return Answer(redraw=True)
+        return None
+
+
 class AskedLayer:
     """The question of a match: its keys answer it, and nothing is typed before that."""
 
@@ -269,9 +290,9 @@ class Layers:
     def __init__(self, view: View, *first: Layer) -> None:
         self.view = view
         self.stack: tuple[Layer, ...] = (
-            *first, QuestionLayer(view), KeysLayer(view), PageLayer(view), AskedLayer(view),
-            SketchLayer(view), PlacingLayer(view), ShareLayer(view), BoxLayer(view),
-            TableLayer(view),
+            *first, QuestionLayer(view), KeysLayer(view), PageLayer(view), GuideLayer(view),
+            AskedLayer(view), SketchLayer(view), PlacingLayer(view), ShareLayer(view),
+            BoxLayer(view), TableLayer(view),
         )  # fmt: skip
 
     def ask(self, event: pygame.event.Event, texts: bool) -> Answer:

@@ -33,11 +33,12 @@ from .pages.shots_page import ShotsPage
 from .pages.tracks_page import TracksPage
 from .panels import caption
 from .panels.asked_card import options
+from .panels.guide import Guide
 from .panels.parts import Panel, fixed_parts
 from .panels.shot_panels import shot_parts
 from .panels.toast import Toast
 from .table.marks import aiming
-from .table.over import Card
+from .table.over import Card, outlined
 from .table.sketch import Sketch
 from .table.stage import Stage
 
@@ -61,6 +62,7 @@ class View:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
         self.sketch, self.tracks, self.toast = Sketch(), TracksPage(), Toast()
         self.last, self.shots = LastStroke(session), ShotFolder()
+        self.guide = Guide()
         self.pages: dict[str, Page] = {
             "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
             "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
@@ -105,6 +107,7 @@ class View:
 
     def note(self) -> None:
         """Something has happened in the game."""
+        self.guide.note(self.session)
         if self.last.note():
             same = self.last.came
             self.toast.say("toast.same" if same else "toast.differs", bad=not same)
@@ -175,7 +178,7 @@ class View:
 
         `seconds` have passed since the last time.
         """
-        gone = self.toast.passed(seconds)
+        gone = self.toast.passed(seconds) | self.guide.passed(seconds, self.session)
         changed, going = self._work(seconds)
         return changed or gone, going
 
@@ -218,6 +221,7 @@ class View:
         """What lies over the table."""
         self.stage.diamonds.key(self.session, self.preferences.settings.diamonds)
         yield from caption.cards(self.sight, self.stage.diamonds)
+        yield from self.guide.cards(self.sight)
         yield from self.toast.cards(self.sight)
 
     def _wanted(self) -> Hashable:
@@ -256,18 +260,21 @@ class View:
         return [surface.get_rect()]
 
     def _draw_parts(self, surface: pygame.Surface) -> list[pygame.Rect]:
-        news = self.session.news, self.pointer.over, self.pointer.held, self.composition.text
+        lit = self.guide.points
+        news = self.session.news, self.pointer.over, self.pointer.held, self.composition.text, lit
         if news == self._news:
             return []
         self._news = news
         dirty = self._switch(surface)
         for part in self._shown():
-            key = self.session.language, part.key(self.sight)
+            key = self.session.language, part.key(self.sight), part.name == lit
             if part.name not in self._drawn or self._drawn[part.name] != key:
                 self._drawn[part.name] = key
                 spill = 2 * round(part.spill * self.sight.layout.s)
                 surface.set_clip(part.rect.inflate(spill, spill))
                 rect = part.draw(surface, part.rect, self.sight)
+                if part.name == lit:
+                    outlined(surface, part.rect, self.sight.layout.s)
                 if rect.w and rect.h:
                     dirty.append(rect)
         surface.set_clip(None)

@@ -180,7 +180,9 @@ def _chosen(surface: pygame.Surface, sight: Sight, look: ShotsLook) -> None:
     words = sight.words
     numbers = " · ".join(shot.lineup.texts[:5])
     lines = [words["shots.numbers"].format(numbers=numbers)] if numbers else []
-    lines.append(" · ".join(words.get(f"set.{name}.{key}", key) for name, key in shot.kit))
+    lines.append(
+        " · ".join(words.get(f"set.{name}.{key}", key) for name, key in shot.kit if key != "table")
+    )
     for row, line in enumerate(lines):
         at = (room.centerx, place.bottom + (22 + 22 * row) * s)
         line = sight.type.fitted(line, SIZE, room.w)

@@ -52,6 +52,12 @@ class Over:
                 surface.blit(card.picture, card.rect)
 
 
+def outlined(surface: pygame.Surface, rect: pygame.Rect, s: float) -> None:
+    """Light the edge of a part that is spoken of."""
+    width, radius = max(2, round(2 * s)), round(shapes.RADIUS * s)
+    pygame.draw.rect(surface, theme.ACCENT, rect, width, border_radius=radius)
+
+
 def written(
     type_: Type,
     rows: Sequence[tuple[str, float, Colour]],
