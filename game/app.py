@@ -206,8 +206,7 @@ class App:
         if action.name == "open":
             self.view.last.opened(str(action.value))
         self._act(action)
-        self.view.toast.note(action, step=len(self.session.history.past) > steps)
-        self.view.note()
+        self.view.done(action, step=len(self.session.history.past) > steps)
         if self.session.page and self.session.page != page:
             self.view.open()
         if self.session.held:
@@ -256,6 +255,7 @@ class App:
             if self.folder is not None:
                 self.view.tracks.file = OwnTableFile(self.folder)
                 self.view.shots.path = self.folder / "shots"
+                self.view.trainer.book.path = self.folder / "drills.json"
                 menu.own = lambda: self.view.tracks.file.key
 
     def redraw(self, changed: bool = True) -> None:

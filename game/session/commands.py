@@ -10,7 +10,7 @@ from typing import Any
 
 from game.aim import edit, thickness
 from game.aim.entry import BOXES, Aim
-from game.table import lineup, presets, shared
+from game.table import drills, lineup, presets, shared
 from game.text import LANGUAGES
 from game.text.quoting import shortly
 
@@ -155,7 +155,9 @@ TABLE = (
     Command("full", _own("full"), keys=(Key("f11", always=True),), own=True,
             rows=(HelpRow("always", 6.5, "@full", "key.full"),)),
     Command("diamonds", _own("diamonds"), _KEY, (Key("d"),), own=True,
-            rows=(HelpRow("practice", 1, "@diamonds", "key.diamonds"),)),
+            rows=(HelpRow("practice", 1, "@diamonds", "key.diamonds"),
+                  HelpRow("practice", 2, "@sheet shelf", "help.drills"),
+                  HelpRow("practice", 3, "@retry", "help.drill.again"))),
     Command("arrange", table.arrange, keys=(Key("b"),),
             rows=(HelpRow("play", 11, "@arrange", "key.arrange"),), aims=True),
     Command("sketch", play.sketch, keys=(Key("g"),),
@@ -227,6 +229,7 @@ TABLE = (
             ends_match="begun"),
     Command("line", table.line, line("LINE", lineup.read, "a set-up"), ends_match="always"),
     Command("open", table.open_shot, line("SHOT", shared.read, "a shot"), ends_match="always"),
+    Command("drill", table.drill, one_of("NAME", drills.NAMES, needed=True), ends_match="always"),
     Command("scene", table.scene, one_of("NAME", presets.SCENES, needed=True), ends_match="always"),
     Command("cloth", table.use_cloth, one_of("KEY", presets.CLOTHS), kept=True, ends_match="terms"),
     Command("table", table.table, _TABLE, kept=True, ends_match="always"),

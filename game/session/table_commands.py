@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable
 
-from game.table import lineup, placing, presets, shared
+from game.table import drills, lineup, placing, presets, shared
 from game.text import LANGUAGES
 from physics import World
 
@@ -156,6 +156,12 @@ def open_shot(session: Session, text: str) -> None:
     session.cue = session.held_ball = found.cue or presets.cue_ball(session.world)
     if found.replay:
         session.strike()
+
+
+def drill(session: Session, name: str) -> None:
+    """Lay a drill, with the cue pointing at the ball to be hit first."""
+    line(session, drills.laid(name).line())
+    session.cue = session.held_ball = presets.cue_ball(session.world)
 
 
 # -- placing balls -------------------------------------------------------------------------------

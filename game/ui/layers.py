@@ -295,10 +295,17 @@ class Layers:
             BoxLayer(view), TableLayer(view),
         )  # fmt: skip
 
+    def _again(self, action: Action) -> Action:
+        """What puts balls back lays a drill anew whose attempt the last stroke's lie is not."""
+        trainer = self.view.trainer
+        restarts = action.name == "retry" and trainer.restarts
+        return Action("drill", trainer.drill) if restarts else action
+
     def ask(self, event: pygame.event.Event, texts: bool) -> Answer:
         """Return what the first layer says that does not pass an event of INPUT on."""
         answers = (layer.answer(event, texts) for layer in self.stack)
         found = next((found for found in answers if found is not None), Answer())
+        found = found._replace(actions=(*map(self._again, found.actions),))
         if not prompts.asking(self.view.session):
             return found
         # before the question of a match is answered nothing is aimed

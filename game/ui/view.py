@@ -10,6 +10,7 @@ import pygame
 from game.aim.spread import Spread
 from game.input.composing import Composition
 from game.input.pointer import SLACK, Pointer
+from game.practice.trainer import Trainer
 from game.render.font import Type
 from game.render.layout import Layout
 from game.replay.last_stroke import LastStroke
@@ -31,7 +32,7 @@ from .pages.settings_page import SettingsPage
 from .pages.shelf import ShelfPage
 from .pages.shots_page import ShotsPage
 from .pages.tracks_page import TracksPage
-from .panels import caption
+from .panels import caption, drill_words
 from .panels.asked_card import options
 from .panels.guide import Guide
 from .panels.parts import Panel, fixed_parts
@@ -44,6 +45,8 @@ from .table.stage import Stage
 
 STILL = 0.15
 """Seconds after which an aim counts as still."""
+LAYS = ("line", "scene", "open", "table", "match", "resume")
+"""Actions that lay something else than a drill."""
 BATCH = 2
 """Samples of the spread taken in a frame."""
 
@@ -62,9 +65,9 @@ class View:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
         self.sketch, self.tracks, self.toast = Sketch(), TracksPage(), Toast()
         self.last, self.shots = LastStroke(session), ShotFolder()
-        self.guide = Guide()
+        self.guide, self.trainer = Guide(), Trainer(session)
         self.pages: dict[str, Page] = {
-            "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
+            "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(self.trainer),
             "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
             "tracks": self.tracks, "save": ShotsPage(self.last, self.shots, saving=True),
             "shots": ShotsPage(self.last, self.shots, saving=False),
@@ -105,9 +108,20 @@ class View:
         found = None if self.question is not None else getattr(self.page, "field", None)
         return found if isinstance(found, TextField) else None
 
+    def done(self, action: Action, *, step: bool) -> None:
+        """An action of the game has been done; was it a step that can be taken back?"""
+        self.toast.note(action, step=step)
+        if action.name == "drill":
+            self.trainer.begin(str(action.value))
+        elif action.name in LAYS:
+            self.trainer.end()
+        self.note()
+
     def note(self) -> None:
         """Something has happened in the game."""
         self.guide.note(self.session)
+        if self.trainer.note():
+            drill_words.tell(self.trainer, self.toast, self.sight.words)
         if self.last.note():
             same = self.last.came
             self.toast.say("toast.same" if same else "toast.differs", bad=not same)
@@ -158,7 +172,8 @@ class View:
         self.sight = Sight(self.session, layout, Type(layout.s), *given)
         self.sight.composition = self.composition
         self.stage = Stage(layout, self.session, self.preferences.settings, self.spread)
-        self.stage.sketch = self.sketch
+        self.stage.sketch, self.stage.trainer = self.sketch, self.trainer
+        self.sight.trainer = self.trainer
         self.sight.portrait, self.sight.looks = self.stage.sprites.portrait, self.stage.looks
         self.parts = fixed_parts(layout) + shot_parts(layout)
         self._drawn: dict[str, Hashable] = {}

@@ -20,7 +20,7 @@ from game.ui.sight import Place, Sight
 from game.ui.table import drag_aim, place_balls
 from game.ui.table.looks import ball_words, looks_of
 
-from . import aim_panel, asked_card, nominate, score_plates, time_strip
+from . import aim_panel, asked_card, drill_words, nominate, score_plates, time_strip
 from .parts import Panel, number
 
 # -- the row above the table ---------------------------------------------------------------------
@@ -51,6 +51,8 @@ def _head_numbers(sight: Sight) -> tuple[tuple[str, str], ...]:
 def _head_look(sight: Sight) -> Hashable:
     if sight.session.contest is not None:
         return score_plates.match_look(sight.session.contest, sight)
+    if drill_words.wanted(sight):
+        return drill_words.key(sight)
     return _state(sight.session), _head_numbers(sight)
 
 
@@ -59,6 +61,8 @@ def _head_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyga
     if sight.session.contest is not None:
         score_plates.match_draw(sight.session.contest, surface, sight)
         return rect
+    if drill_words.wanted(sight):
+        return drill_words.draw(surface, rect, sight)
     s, t, w = sight.layout.s, sight.type, sight.words
     cards.card(surface, rect, s, raised=True)
     left = rect.x + round(16 * s)

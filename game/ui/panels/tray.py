@@ -43,7 +43,8 @@ def slots(session: Session) -> list[str]:
     names = [ball.name for ball in session.world.balls if ball.name != session.cue]
     names = [name for name in names if name != "cue"]
     if "black" in names:
-        return ["red", *COLOURS]
+        lie = {colour_of(name) for name in names}
+        return [name for name in ("red", *COLOURS) if name in lie]
     return sorted(names, key=lambda name: (int(name) if name.isdigit() else 0, name))
 
 

@@ -64,18 +64,21 @@ def written(
     edge: Colour,
     most: float,
     line: float = LINE,
+    before: int = 0,
 ) -> pygame.Surface:
     """Return the picture of a card with rows of (text, size, colour), at most so many px wide.
 
-    `line` is the height of a row, px at s = 1.
+    `line` is the height of a row, px at s = 1; `before` px stay free before the rows.
     """
     s = type_.s
     pad, high = round(PAD * s), max(round(line * s), 12)
-    fitted = [(type_.fitted(text, size, most - 2 * pad), size, ink) for text, size, ink in rows]
-    wide = max((type_.width(text, size) for text, size, _ in fitted), default=0) + 2 * pad
-    picture = pygame.Surface((round(wide), high * len(rows) + pad), pygame.SRCALPHA)
+    room = most - 2 * pad - before
+    fitted = [(type_.fitted(text, size, room), size, ink) for text, size, ink in rows]
+    wide = max((type_.width(text, size) for text, size, _ in fitted), default=0)
+    whole = round(wide) + 2 * pad + before, high * len(rows) + pad
+    picture = pygame.Surface(whole, pygame.SRCALPHA)
     shapes.box(picture, picture.get_rect(), s, theme.PANEL, edge)
     for place, (text, size, ink) in enumerate(fitted):
         middle = pad / 2 + high * (place + 0.5)
-        type_.draw(picture, text, (pad, middle + type_.cap(size) / 2), size, ink)
+        type_.draw(picture, text, (pad + before, middle + type_.cap(size) / 2), size, ink)
     return picture

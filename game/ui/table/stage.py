@@ -8,6 +8,7 @@ from math import ceil
 import pygame
 
 from game.aim.spread import SAMPLES, Spread
+from game.practice.trainer import Trainer
 from game.render.layout import Layout
 from game.render.table import cue_stick, lines
 from game.render.table.balls import BallSprites, Spot
@@ -16,7 +17,7 @@ from game.render.table.finish import FINISHES
 from game.session.session import Session
 from game.settings.settings import Settings
 
-from . import labels, marks, preview_lines
+from . import labels, marks, preview_lines, zone_marks
 from .cue_pose import Pose, pose
 from .diamond_marks import DiamondMarks
 from .dropped import AWAY, Dropped
@@ -59,6 +60,7 @@ class Stage:
         self.holes = holes(session.world)
         self.dropped = Dropped(falls_into(session.world), fine=many)
         self.trail, self.orientations = Trail(), Orientations(self.sprites)
+        self.trainer: Trainer | None = None
         self.over, self.diamonds = Over(), DiamondMarks()
         self.spread, self.fan = spread or Spread(), Fan(layout)
         self._time, self._shown = session.world.time, (session.began, session.timeline.at)
@@ -130,7 +132,7 @@ class Stage:
         aids = self.settings.aids
         key = (
             marks.key(session, aids), self._fanned(session), self.sketch.key(session),
-            self.diamonds.key(session, self.settings.diamonds),
+            self.diamonds.key(session, self.settings.diamonds), zone_marks.key(self.trainer),
         )  # fmt: skip
         if key == self._under:
             grown = self.trail.draw(self.lines, self.layout, session, self.looks)
@@ -141,7 +143,7 @@ class Stage:
         for rect in _merged(old):
             self.lines.blit(self.base, rect, rect)
         self.lines.set_clip(self.layout.table)
-        fan = self._draw_fan(session)
+        fan = zone_marks.draw(self.lines, self.layout, self.trainer) + self._draw_fan(session)
         given = self.lines, self.layout, session, self.looks
         self._marked = fan + marks.draw(*given, aids, self.holes)
         self._marked += self.diamonds.draw(self.lines, self.layout, session)
