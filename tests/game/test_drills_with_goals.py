@@ -143,6 +143,9 @@ def test_the_shelf_shows_the_stars_and_lays_a_drill():
     assert_same_as_anew(app)
     press(app, "return")
     assert app.view.trainer.drill == "sagu.opening"
+    press(app, "f4", "right", "right", "return", "f4")
+    page = app.view.page
+    assert page.cards[page.focus].drill == app.view.trainer.drill != "sagu.opening"
 
 
 @pytest.mark.parametrize("language", ["en", "ko"])

@@ -86,11 +86,13 @@ class ShelfPage:
         return self._field if self.typing else None
 
     def open(self, session: Session) -> None:
-        """Begin with the group of the game that is played."""
+        """Begin with the group of the game that is played, and with the drill that is."""
         self._session = session
         if self.group == 0:
             self.group = self._usual(session)
-        self.focus, self.said = 0, ("", "")
+        now = [card.drill for card in self.cards]
+        drill = self.trainer.drill if self.trainer is not None else ""
+        self.focus, self.said = now.index(drill) if drill in now else 0, ("", "")
         if self.library.faulty:
             self.said = "shelf.broken", ""
 

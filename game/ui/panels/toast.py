@@ -56,7 +56,7 @@ class Toast:
         return gone
 
     def cards(self, sight: Sight) -> list[Card]:
-        """The card, at the bottom of the table."""
+        """The card, on the rail at the bottom, where it hides no ball that lies away from it."""
         if not self.key:
             return []
         bed, words = sight.layout.bed, sight.words[self.key].format(word=self.word)
@@ -67,5 +67,5 @@ class Toast:
         if before:
             at = PAD * sight.layout.s, picture.get_height() / 2
             stars.draw(picture, at, STAR * sight.layout.s, self.stars)
-        rect = picture.get_rect(midbottom=(bed.centerx, bed.bottom - sight.layout.px(14)))
+        rect = picture.get_rect(midbottom=(bed.centerx, sight.layout.table.bottom - 2))
         return [Card(("toast", words, self.stars), rect, picture)]
