@@ -51,6 +51,8 @@ class Trainer:
         self.drill, self.state, self.count = "", READY, 0
         self.result: Result | None = None
         self._world, self._shots, self._moved = session.world, session.shots, session.moving
+        self._version = -1
+        """The session's when it was looked at last."""
         self._start: Sequence[Placed] = ()
         self._from: Sequence[Placed] = ()
         """How the balls must lie for the next stroke to count."""
@@ -83,6 +85,7 @@ class Trainer:
         session = self.session
         self._world, self._shots, self._moved = session.world, session.shots, session.moving
         self._start = self._from = session.world.layout()
+        self._version = -1
 
     def end(self) -> None:
         """It is no drill any more that lies on the table."""
@@ -91,8 +94,9 @@ class Trainer:
     def note(self) -> bool:
         """Look at the session; returns whether a stroke has just been judged."""
         session = self.session
-        if not self.drill:
+        if not self.drill or session.version == self._version:
             return False
+        self._version = session.version
         if session.world is not self._world or session.contest is not None:
             self.end()
             return False

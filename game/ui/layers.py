@@ -1,7 +1,8 @@
 """The layers that an input event goes down: each answers with what it means, or passes it on.
 
-From the top: a record that is watched, the question, the page of keys, the page over the table,
-placing balls, the box that is edited, and the table with what is around it.
+From the top: a record that is watched, the question, the page of keys, the page over the table, the
+guide, what a match asks, drawing a path, placing balls, sharing, the box that is edited, and the
+table with what is around it.
 """
 
 from __future__ import annotations

@@ -81,7 +81,7 @@ def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | Non
     parts = parts if racked is None else racked
     if sheet.fouls and racked is None:
         parts.append(w["score.fouls"].format(n=sheet.fouls))
-    parts += halls.handicap(contest.terms, index, w)
+    parts = [*halls.handicap(contest.terms, index, w), *parts]
     if match.at != index or match.finished:
         return " · ".join(parts), None
     if contest.level is not None and not sight.session.moving and sight.mode == "aim":
