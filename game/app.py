@@ -31,6 +31,7 @@ from .ui.pages.menu import MenuPage
 from .ui.pages.score_page import ScorePage
 from .ui.view import View
 from .ui.watching import WatchingLayer
+from .window import screen
 from .window.canvas import Canvas
 from .window.clock import RealClock, VirtualClock
 from .window.stats import Stats
@@ -67,11 +68,9 @@ class App:
         pygame.font.init()
         self.session, self.options = session, options
         self.script = script or Script([])
-        self.screen = pygame.display.set_mode(options.size, pygame.RESIZABLE)
-        pygame.display.set_caption(TITLE)
-        self.canvas = Canvas(self.screen)
-        self.stats = Stats()
         self.preferences = preferences or Preferences()
+        self._open(options)
+        self.stats = Stats()
         length, width = table_size(session.world)
         self.view = View(session, self.canvas.surface.get_size(), length, width, self.preferences)
         self.ear = Ear(length / 2)
@@ -93,6 +92,15 @@ class App:
         self._texts = False
         """Was text input on when SDL made the events of this frame?"""
         self._sync_typing()
+
+    def _open(self, options: Options) -> None:
+        """Open the window; one of a size that was asked for does not fill the screen."""
+        self._full = self.preferences.settings.full and "size" not in options.given
+        self.screen = screen.opened(options.size, full=self._full)
+        self._window = options.size
+        """The size of the window that a full screen goes back to."""
+        pygame.display.set_caption(TITLE)
+        self.canvas = Canvas(self.screen)
 
     def run(self) -> None:
         """Play until the window is closed, or for the number of frames asked for."""
@@ -195,7 +203,11 @@ class App:
             return
         page = self.session.page
         self.actions.append((self.session.tick, action))
+        steps = len(self.session.history.past)
+        if action.name == "open":
+            self.view.last.opened(str(action.value))
         self._act(action)
+        self.view.done(action, step=len(self.session.history.past) > steps)
         if self.session.page and self.session.page != page:
             self.view.open()
         if self.session.held:
@@ -243,6 +255,8 @@ class App:
             menu.offers, score.career = self.keeper.offered, self.keeper.statistics.of
             if self.folder is not None:
                 self.view.tracks.file = OwnTableFile(self.folder)
+                self.view.shots.path = self.folder / "shots"
+                self.view.trainer.book.path = self.folder / "drills.json"
                 menu.own = lambda: self.view.tracks.file.key
 
     def redraw(self, changed: bool = True) -> None:
@@ -253,8 +267,19 @@ class App:
         """Show what has been chosen for seeing and hearing."""
         if action.name == "colours":
             self.view.renew(*table_size(self.session.world))
+        elif action.name == "full":
+            self._fill()
         self.view.expose()
         self.redraw()
+
+    def _fill(self) -> None:
+        """Fill the screen, or go back to a window as large as before."""
+        self.preferences.settings.full = self._full = not self._full
+        if self._full:
+            self._window = self.screen.get_size()
+        self.screen = screen.opened(self._window, full=self._full)
+        self._resize()
+        self._save()
 
     def _relay(self) -> None:
         """The game has moved to another table."""
@@ -272,7 +297,8 @@ class App:
             self.screen = pygame.display.get_surface() or self.screen
             self.canvas = Canvas(self.screen)
             self.view.resize(self.canvas.surface.get_size())
-            self.preferences.settings.size = self.screen.get_size()
+            if not self._full:
+                self.preferences.settings.size = self.screen.get_size()
             self.redraw()
 
     def _sync_typing(self) -> None:
@@ -291,6 +317,7 @@ class App:
         if self.journal is not None:
             self.journal.passed()
         self.keeper.note()
+        self.view.note()
         self.view.stage.follow(self.session)
 
     def _watch(self, replay: Replay, end: int) -> int:

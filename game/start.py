@@ -106,11 +106,22 @@ def greet(app: App) -> None:
             menu.offer()
     elif app.keeper.matches.faulty:
         app.session.say("match.broken")
+    if not begun and newcomer(app):
+        app.view.guide.over = app.preferences.guided
+        app.view.guide.begin(app.session)
     store = app.preferences.store
     if store is not None and (store.trouble or store.path is None):
         app.session.say("settings.unsaved", error=True)
     elif store is not None and store.faults:
         app.session.say("settings.broken")
+
+
+def newcomer(app: App) -> bool:
+    """Is it somebody's very first game, in a window that can be seen?"""
+    store, options = app.preferences.store, app.options
+    seen = not (windowless() or options.virtual or options.replay)
+    first = store is not None and store.path is not None and not store.path.exists()
+    return seen and first and not app.preferences.settings.guided
 
 
 def regret(app: App) -> int:

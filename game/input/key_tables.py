@@ -10,6 +10,8 @@ from game.aim.entry import BOXES, typed
 from game.session.action import Action
 from game.session.commands import TABLE
 
+from .editing import COMMAND
+
 _CONSTANTS = sorted((n[2:].lower(), c) for n, c in vars(pygame).items() if n.startswith("K_"))
 CODES: dict[str, int] = dict(_CONSTANTS)
 NAMES: dict[int, str] = {code: name for name, code in reversed(_CONSTANTS)}
@@ -51,6 +53,13 @@ CUE = {
     pygame.K_PAGEDOWN: ("tilt", "-{}", "5", "1"),
 }
 """Keys that move the cue while Alt is held: action, value, and its step without and with Shift."""
+COMMANDED = {
+    pygame.K_z: Action("undo"),
+    pygame.K_y: Action("redo"),
+    pygame.K_s: Action("sheet", "save"),
+    pygame.K_o: Action("sheet", "shots"),
+}
+"""What Ctrl makes of letters in play and in boxes, whatever they mean without."""
 FIRST = frozenset("0123456789+-")
 """Characters with which an entry may begin in play."""
 KEYPAD = {getattr(pygame, f"K_KP{n}"): str(n) for n in range(10)}
@@ -74,6 +83,9 @@ def of_key(
         return always[key]
     if key in (pygame.K_RETURN, pygame.K_KP_ENTER) and mod & pygame.KMOD_CTRL:
         return Action("fire")
+    if mod & COMMAND and not mod & pygame.KMOD_ALT and key in COMMANDED:
+        back = key == pygame.K_z and mod & pygame.KMOD_SHIFT
+        return Action("redo") if back else COMMANDED[key]
     if box is None and mod & (pygame.KMOD_SHIFT | pygame.KMOD_CTRL | pygame.KMOD_ALT):
         special = _modified(key, mod, play)
         if special is not None:

@@ -35,6 +35,8 @@ ERROR = rgb("#FF8A7A")
 WARNING = rgb("#FFC56B")
 """What was put right, or is unusual, and yet may be done."""
 GOOD = rgb("#7BD88F")
+GOLD = rgb("#F4C95D")
+"""Stars, and what they are earned in."""
 WHITE = (255, 255, 255)
 HALO = rgb("#030E1A")
 LILAC = rgb("#CDB8FF")

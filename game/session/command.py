@@ -29,7 +29,7 @@ class Key(NamedTuple):
 class HelpRow(NamedTuple):
     """A row of the page of keys.
 
-    section  "play" "box" "aim" "time" "always"
+    section  "play" "box" "aim" "time" "always" "shots" "practice"
     place    of the row in its section
     keys     as they are written: a key of the texts, or "@" and the command whose key it is
     text     key of the texts for what they do

@@ -10,7 +10,7 @@ from typing import Any
 
 from game.aim import advice, edit, thickness
 from game.aim.entry import BOXES, Aim
-from game.table import lineup, presets
+from game.table import drills, lineup, presets, shared
 from game.text import LANGUAGES
 from game.text.quoting import shortly
 
@@ -36,7 +36,7 @@ from .values import (
 
 LAST = 99
 """Place of a row that has not been given any."""
-PAGES = ("", "settings", "menu", "shelf", "rules", "score", "tracks", "ask")
+PAGES = ("", "settings", "menu", "shelf", "rules", "score", "tracks", "save", "shots", "ask")
 """What may lie over the table: "ask" is a question alone."""
 
 
@@ -152,6 +152,12 @@ TABLE = (
             rows=(HelpRow("aim", 9, "@fan", "help.fan"),)),
     Command("both", _own("both"), keys=(Key("n"),), own=True,
             rows=(HelpRow("always", 8, "@both", "key.both"),)),
+    Command("full", _own("full"), keys=(Key("f11", always=True),), own=True,
+            rows=(HelpRow("always", 6.5, "@full", "key.full"),)),
+    Command("diamonds", _own("diamonds"), _KEY, (Key("d"),), own=True,
+            rows=(HelpRow("practice", 1, "@diamonds", "key.diamonds"),
+                  HelpRow("practice", 2, "@sheet shelf", "help.drills"),
+                  HelpRow("practice", 3, "@retry", "help.drill.again"))),
     Command("arrange", table.arrange, keys=(Key("b"),),
             rows=(HelpRow("play", 11, "@arrange", "key.arrange"),), aims=True),
     Command("squirt", table.squirt, one_of("KEY", table.SQUIRTS), (Key("j"),), (), kept=True,
@@ -187,7 +193,11 @@ TABLE = (
              HelpRow("always", 5, "@sheet rules", "key.sheet rules"),
              HelpRow("always", 5.5, "@sheet score", "key.sheet score"),
              HelpRow("always", 5.7, "@sheet tracks", "key.sheet tracks"),
-             HelpRow("always", 6, "@sheet menu", "key.sheet menu")), keeps_notice=True),
+             HelpRow("always", 6, "@sheet menu", "key.sheet menu"),
+             HelpRow("shots", 1, "Ctrl+S", "help.save"),
+             HelpRow("shots", 2, "Ctrl+O", "help.open"),
+             HelpRow("shots", 3, "Ctrl+C Ctrl+V", "help.copy"),
+             HelpRow("shots", 4, "Ctrl+Z Ctrl+Y", "help.ctrl.undo")), keeps_notice=True),
     # what no key does that a player could choose
     Command("type", play.type_into, text("TEXT"),
             rows=(HelpRow("play", 3, "name.digits", "help.digit"),), aims=True),
@@ -224,6 +234,8 @@ TABLE = (
     Command("resume", table.resume, line("SAVED", saved.read, "a saved match"),
             ends_match="begun"),
     Command("line", table.line, line("LINE", lineup.read, "a set-up"), ends_match="always"),
+    Command("open", table.open_shot, line("SHOT", shared.read, "a shot"), ends_match="always"),
+    Command("drill", table.drill, one_of("NAME", drills.NAMES, needed=True), ends_match="always"),
     Command("scene", table.scene, one_of("NAME", presets.SCENES, needed=True), ends_match="always"),
     Command("cloth", table.use_cloth, one_of("KEY", presets.CLOTHS), kept=True, ends_match="terms"),
     Command("table", table.table, _TABLE, kept=True, ends_match="always"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable
 
-from game.table import lineup, placing, presets
+from game.table import drills, lineup, placing, presets, shared
 from game.text import LANGUAGES
 from physics import World
 
@@ -150,6 +150,26 @@ def line(session: Session, text: str) -> None:
         session.aim.texts = list(found.texts)
     session.aim.leave()
     session.aim.finish()
+
+
+def open_shot(session: Session, text: str) -> None:
+    """Lay a shot that was kept or shared, with what it was played with; a replay is played at once.
+
+    LineError for a text that is none.
+    """
+    found, uses = shared.read(text), {"engine": use_engine, "law": use_law, "cloth": use_cloth}
+    line(session, found.lineup.line())
+    for name, key in found.kit:
+        uses[name](session, key)
+    session.cue = session.held_ball = found.cue or presets.cue_ball(session.world)
+    if found.replay:
+        session.strike()
+
+
+def drill(session: Session, name: str) -> None:
+    """Lay a drill, with the cue pointing at the ball to be hit first."""
+    line(session, drills.laid(name).line())
+    session.cue = session.held_ball = presets.cue_ball(session.world)
 
 
 # -- placing balls -------------------------------------------------------------------------------

@@ -26,6 +26,11 @@ class Preferences:
         """Why the last key that was wished could not be had: reason, action, key."""
         self._sound()
 
+    def guided(self) -> None:
+        """The guide is over: it is never shown again."""
+        self.settings.guided = True
+        self.save()
+
     def note(self, action: Action, session: Session) -> None:
         """Remember what an action of the game has chosen."""
         if action == Action("engine") and session.engine != "exact":
@@ -62,6 +67,10 @@ class Preferences:
         """The spread of the shot on or off."""
         self.settings.fan = not self.settings.fan
 
+    def full(self) -> None:
+        """Fill the screen, or show a window."""
+        self.settings.full = not self.settings.full
+
     def volume(self, value: int) -> None:
         """Set the volume, 0 to LOUDEST."""
         self.settings.volume = min(max(value, 0), LOUDEST)
@@ -72,6 +81,12 @@ class Preferences:
         keys = CHOICES["aids"]
         after = keys[(keys.index(self.settings.aids) + 1) % len(keys)]
         self.settings.aids = key or after
+
+    def diamonds(self, key: str = "") -> None:
+        """Show where strokes over the diamonds lead: none, one's own, or the corner system's."""
+        keys = CHOICES["diamonds"]
+        after = keys[(keys.index(self.settings.diamonds) + 1) % len(keys)]
+        self.settings.diamonds = key or after
 
     def colours(self, key: str) -> None:
         """Take a set of balls."""

@@ -33,6 +33,7 @@ CHOICES: dict[str, tuple[str, ...]] = {
     "colours": ("usual", "safe"),
     "level": tuple(level.key for level in LEVELS),
     "squirt": ("off", "on"),
+    "diamonds": ("off", "own", "five"),
 }
 """What can be chosen; "table" is the cloth, and the laws, that a table comes with."""
 SIDE = 200, 16384
@@ -44,12 +45,14 @@ class Settings:
     """The choices, each with its usual value.
 
     language .. squirt  as the commands of these names take them
-    aids, colours       keys of CHOICES
+    aids, colours, diamonds  keys of CHOICES
     level               how well the player carries out a stroke, as the coach sees it
     volume              0 to LOUDEST
     still               reduced motion
     both                a log in two languages
     fan                 the spread of a shot
+    full                does the window fill the screen?
+    guided              has the guide through a first shot been shown or skipped?
     keys                the changed ones, action to key
     size                of the window, px
     """
@@ -63,11 +66,14 @@ class Settings:
     aids: str = "full"
     colours: str = "usual"
     level: str = "expert"
+    diamonds: str = "off"
     volume: int = 8
     muted: bool = False
     still: bool = False
     both: bool = False
     fan: bool = False
+    full: bool = False
+    guided: bool = False
     keys: dict[str, str] = field(default_factory=dict)
     size: tuple[int, int] = (1280, 720)
 

@@ -12,6 +12,7 @@ import re
 from . import (
     en,
     en_coach,
+    en_first,
     en_inverse,
     en_match,
     en_play,
@@ -19,6 +20,7 @@ from . import (
     en_rules,
     ko,
     ko_coach,
+    ko_first,
     ko_inverse,
     ko_match,
     ko_play,
@@ -28,8 +30,8 @@ from . import (
 
 LANGUAGES = {
     "en": en.WORDS | en_match.WORDS | en_play.WORDS | en_pool.WORDS | en_rules.WORDS
-    | en_inverse.WORDS | en_coach.WORDS,
+    | en_inverse.WORDS | en_coach.WORDS | en_first.WORDS,
     "ko": ko.WORDS | ko_match.WORDS | ko_play.WORDS | ko_pool.WORDS | ko_rules.WORDS
-    | ko_inverse.WORDS | ko_coach.WORDS,
+    | ko_inverse.WORDS | ko_coach.WORDS | ko_first.WORDS,
 }
 KEY = re.compile(r"@\[([^]]+)\]")

@@ -1,7 +1,8 @@
 """The layers that an input event goes down: each answers with what it means, or passes it on.
 
-From the top: a record that is watched, the question, the page of keys, the page over the table,
-placing balls, the box that is edited, and the table with what is around it.
+From the top: a record that is watched, the question, the page of keys, the page over the table, the
+guide, what a match asks, drawing a path, placing balls, sharing, the box that is edited, and the
+table with what is around it.
 """
 
 from __future__ import annotations
@@ -15,13 +16,18 @@ from game.input.key_tables import of_key, of_text
 from game.session.action import Action
 from game.session.commands import COMMANDS
 
-from .panels import asked_card, nominate, prompts
+from .panels import asked_card, nominate, prompts, sharing
 from .table import place_balls
 from .view import View
 
 MOUSE = (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP)
 INPUT = (pygame.KEYDOWN, pygame.TEXTINPUT, pygame.MOUSEWHEEL, *MOUSE)
 """The events that go down the layers."""
+SHEETS = {
+    pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_PAGEUP: -1, pygame.K_PAGEDOWN: 1,
+    pygame.K_TAB: 1,
+}  # fmt: skip
+"""Keys that turn the sheets of the page of keys."""
 
 
 class Answer(NamedTuple):
@@ -76,23 +82,31 @@ class QuestionLayer:
 
 
 class KeysLayer:
-    """The page of keys: a few keys and a click close it, nothing else gets through."""
+    """The page of keys: a few keys and a click close it; keys that always work go on from it."""
 
     def __init__(self, view: View) -> None:
         self.view = view
 
     def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
-        """Close it, or change its language."""
-        if not self.view.session.help:
+        """Close it, change its language, or go on to another page."""
+        session = self.view.session
+        if not session.help:
             return None
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             return answer(Action("help"))
         if event.type != pygame.KEYDOWN:
             return Answer()
+        if event.key in SHEETS:
+            self.view.turn_keys(SHEETS[event.key])
+            return Answer(redraw=True)
         always = self.view.preferences.keys.always.get(event.key)
         if event.key in place_balls.DONE or always == Action("help"):
             return answer(Action("help"))
-        return answer(always if always == Action("language") else None)
+        if always is None or always.name not in ("sheet", "settings"):
+            return answer(always)
+        # the page that it lies over is uncovered, not closed
+        below = (always.value or always.name) == session.page
+        return Answer((Action("help"), *(() if below else (always,))))
 
 
 class PageLayer:
@@ -128,6 +142,27 @@ class PlacingLayer:
             return None
         action = place_balls.key(event, self.view.session)
         return None if action is None else answer(action)
+
+
+class GuideLayer:
+    """The guide through a first shot: Esc skips it, a press on its card goes on."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Go on or skip; whatever else is done reaches the game, and the guide follows it."""
+        view = self.view
+        if not view.guide.step:
+            return None
+        editing_ = view.session.aim.box is not None
+        if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and not editing_:
+            view.guide.skip()
+            return Answer(redraw=True)
+        pressed = event.type == pygame.MOUSEBUTTONDOWN and event.button == 1
+        if pressed and view.guide.press(event.pos, view.sight):
+            return Answer(redraw=True)
+        return None
 
 
 class AskedLayer:
@@ -169,6 +204,26 @@ class SketchLayer:
             if view.sketch.mouse(event, view.sight):
                 return Answer(redraw=True)
             return Answer(redraw=True) if changed and event.type == pygame.MOUSEMOTION else None
+        return None
+
+
+class ShareLayer:
+    """Ctrl+C and Ctrl+V where no text is meant: a shot goes into the clipboard or comes out."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    def answer(self, event: pygame.event.Event, texts: bool) -> Answer | None:
+        """Copy the shot on show, or open the one that has been copied."""
+        ctrl = getattr(event, "mod", 0) & editing.COMMAND
+        if event.type != pygame.KEYDOWN or not ctrl or event.mod & pygame.KMOD_ALT:
+            return None
+        view, edited = self.view, self.view.session.aim.edited
+        if event.key == pygame.K_c and not (edited and edited.selected):
+            sharing.copy(view.last, view.toast)
+            return Answer(redraw=True)
+        if event.key == pygame.K_v and (edited is None or sharing.offered()):
+            return answer(sharing.paste(view.toast), redraw=True)
         return None
 
 
@@ -236,14 +291,22 @@ class Layers:
     def __init__(self, view: View, *first: Layer) -> None:
         self.view = view
         self.stack: tuple[Layer, ...] = (
-            *first, QuestionLayer(view), KeysLayer(view), PageLayer(view), AskedLayer(view),
-            SketchLayer(view), PlacingLayer(view), BoxLayer(view), TableLayer(view),
+            *first, QuestionLayer(view), KeysLayer(view), PageLayer(view), GuideLayer(view),
+            AskedLayer(view), SketchLayer(view), PlacingLayer(view), ShareLayer(view),
+            BoxLayer(view), TableLayer(view),
         )  # fmt: skip
+
+    def _again(self, action: Action) -> Action:
+        """What puts balls back lays a drill anew whose attempt the last stroke's lie is not."""
+        trainer = self.view.trainer
+        restarts = action.name == "retry" and trainer.restarts
+        return Action("drill", trainer.drill) if restarts else action
 
     def ask(self, event: pygame.event.Event, texts: bool) -> Answer:
         """Return what the first layer says that does not pass an event of INPUT on."""
         answers = (layer.answer(event, texts) for layer in self.stack)
         found = next((found for found in answers if found is not None), Answer())
+        found = found._replace(actions=(*map(self._again, found.actions),))
         if not prompts.asking(self.view.session):
             return found
         # before the question of a match is answered nothing is aimed

@@ -11,6 +11,7 @@ from game.aim.spread import Spread
 from game.input.captions import words
 from game.input.composing import Composition
 from game.input.pointer import Pointer
+from game.practice.trainer import Trainer
 from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts.text_line import TextLine
@@ -33,6 +34,7 @@ class Sight:
     composition  what an input method is composing
     looks        of the balls, in their order
     choice       the answer in focus while a match asks something, from 0; -1 for none
+    trainer      of the drill that is practised, if the window has one
     """
 
     session: Session
@@ -46,6 +48,7 @@ class Sight:
     composition: Composition = field(default_factory=Composition)
     looks: Sequence[BallLook] = ()
     choice: int = -1
+    trainer: Trainer | None = None
 
     @property
     def words(self) -> dict[str, str]:

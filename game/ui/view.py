@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Iterator
 from math import dist
 
 import pygame
@@ -10,11 +10,14 @@ import pygame
 from game.aim.spread import Spread
 from game.input.composing import Composition
 from game.input.pointer import SLACK, Pointer
+from game.practice.trainer import Trainer
 from game.render.font import Type
 from game.render.layout import Layout
+from game.replay.last_stroke import LastStroke
 from game.session.action import Action
 from game.session.session import Session
 from game.settings.preferences import Preferences
+from game.settings.shot_folder import ShotFolder
 from game.text.text_field import TextField
 from game.ui.sight import Sight
 
@@ -28,16 +31,23 @@ from .pages.rules_page import RulesPage
 from .pages.score_page import ScorePage
 from .pages.settings_page import SettingsPage
 from .pages.shelf import ShelfPage
+from .pages.shots_page import ShotsPage
 from .pages.tracks_page import TracksPage
+from .panels import caption, drill_words
 from .panels.asked_card import options
+from .panels.guide import Guide
 from .panels.parts import Panel, fixed_parts
 from .panels.shot_panels import shot_parts
+from .panels.toast import Toast
 from .table.marks import aiming
+from .table.over import Card, outlined
 from .table.sketch import Sketch
 from .table.stage import Stage
 
 STILL = 0.15
 """Seconds after which an aim counts as still."""
+LAYS = ("line", "scene", "open", "table", "match", "resume")
+"""Actions that lay something else than a drill."""
 BATCH = 2
 """Samples of the spread taken in a frame."""
 
@@ -55,12 +65,17 @@ class View:
     ) -> None:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
         self.sketch, self.tracks, self.coach = Sketch(), TracksPage(), Coach()
+        self.toast, self.last, self.shots = Toast(), LastStroke(session), ShotFolder()
+        self.guide, self.trainer = Guide(), Trainer(session)
         self.pages: dict[str, Page] = {
-            "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
+            "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(self.trainer),
             "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
-            "tracks": self.tracks,
+            "tracks": self.tracks, "save": ShotsPage(self.last, self.shots, saving=True),
+            "shots": ShotsPage(self.last, self.shots, saving=False),
         }  # fmt: skip
         self.composition = Composition()
+        self.keys_sheet = 0
+        """Which sheet of the page of keys is on show."""
         self.question: Question | None = None
         """What is asked over the page before it is done."""
         self.preferences = preferences or Preferences()
@@ -105,6 +120,29 @@ class View:
         self.tracks.stop()
         self.coach.close()
 
+    def done(self, action: Action, *, step: bool) -> None:
+        """An action of the game has been done; was it a step that can be taken back?"""
+        self.toast.note(action, step=step)
+        if action.name == "drill":
+            self.trainer.begin(str(action.value))
+        elif action.name in LAYS:
+            self.trainer.end()
+        self.note()
+
+    def note(self) -> None:
+        """Something has happened in the game."""
+        self.guide.note(self.session)
+        if self.trainer.note():
+            drill_words.tell(self.trainer, self.toast, self.sight.words)
+        if self.last.note():
+            same = self.last.came
+            self.toast.say("toast.same" if same else "toast.differs", bad=not same)
+
+    def turn_keys(self, step: int) -> None:
+        """Turn to another sheet of the page of keys."""
+        self.keys_sheet = (self.keys_sheet + step) % keys_page.sheets()
+        self.expose()
+
     def ask(self, action: Action) -> None:
         """Ask over the page whether an action is to be done."""
         self.question = Question(action)
@@ -146,7 +184,8 @@ class View:
         self.sight = Sight(self.session, layout, Type(layout.s), *given)
         self.sight.composition = self.composition
         self.stage = Stage(layout, self.session, self.preferences.settings, self.spread)
-        self.stage.sketch = self.sketch
+        self.stage.sketch, self.stage.trainer = self.sketch, self.trainer
+        self.sight.trainer = self.trainer
         self.sight.portrait, self.sight.looks = self.stage.sprites.portrait, self.stage.looks
         self.parts = fixed_parts(layout) + shot_parts(layout)
         self._drawn: dict[str, Hashable] = {}
@@ -162,10 +201,16 @@ class View:
         self._whole = True
 
     def think(self, seconds: float) -> tuple[bool, bool]:
-        """Work on what takes more than a frame, the spread: has anything changed, is it going on?
+        """Work on what takes more than a frame: has anything changed, is it going on?
 
         `seconds` have passed since the last time.
         """
+        gone = self.toast.passed(seconds) | self.guide.passed(seconds, self.session)
+        changed, going = self._work(seconds)
+        return changed or gone, going
+
+    def _work(self, seconds: float) -> tuple[bool, bool]:
+        """Work on a fit, a ball that falls, or the spread."""
         session, spread = self.session, self.spread
         if self.tracks.running:
             return self.tracks.think(seconds), True
@@ -187,6 +232,7 @@ class View:
 
     def draw(self, surface: pygame.Surface) -> list[pygame.Rect]:
         """Bring the surface up to date; returns the rectangles that changed."""
+        self.stage.over.cards = (*self._cards(),)
         overlay = self._wanted()
         if overlay != self._overlay:
             self._overlay, self._whole = overlay, True
@@ -197,6 +243,13 @@ class View:
         if self.session.page:
             return self._draw_page(surface)
         return self.stage.draw(surface, self.session) + self._draw_parts(surface)
+
+    def _cards(self) -> Iterator[Card]:
+        """What lies over the table."""
+        self.stage.diamonds.key(self.session, self.preferences.settings.diamonds)
+        yield from caption.cards(self.sight, self.stage.diamonds)
+        yield from self.guide.cards(self.sight)
+        yield from self.toast.cards(self.sight)
 
     def _wanted(self) -> Hashable:
         """What lies over the window: the page of keys, the settings, or None."""
@@ -226,25 +279,29 @@ class View:
         if self.session.help:
             layout = self.sight.layout
             names = self.preferences.keys.names
-            keys_page.draw(surface, layout, self.sight.type, self.session.language, names)
+            given = self.session.language, names, self.keys_sheet
+            keys_page.draw(surface, layout, self.sight.type, *given)
         elif self.session.page:
             keys_page.darken(surface)
             self._draw_page(surface)
         return [surface.get_rect()]
 
     def _draw_parts(self, surface: pygame.Surface) -> list[pygame.Rect]:
-        news = self.session.news, self.pointer.over, self.pointer.held, self.composition.text
+        lit = self.guide.points
+        news = self.session.news, self.pointer.over, self.pointer.held, self.composition.text, lit
         if news == self._news:
             return []
         self._news = news
         dirty = self._switch(surface)
         for part in self._shown():
-            key = self.session.language, part.key(self.sight)
+            key = self.session.language, part.key(self.sight), part.name == lit
             if part.name not in self._drawn or self._drawn[part.name] != key:
                 self._drawn[part.name] = key
                 spill = 2 * round(part.spill * self.sight.layout.s)
                 surface.set_clip(part.rect.inflate(spill, spill))
                 rect = part.draw(surface, part.rect, self.sight)
+                if part.name == lit:
+                    outlined(surface, part.rect, self.sight.layout.s)
                 if rect.w and rect.h:
                     dirty.append(rect)
         surface.set_clip(None)

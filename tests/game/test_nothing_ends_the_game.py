@@ -204,7 +204,8 @@ def test_an_event_that_the_log_has_no_words_for_is_passed_over(jumping):
     kinds = [event.kind for event in jumping.world.log]
     assert "off" in kinds
     said = [row.first for row in log_rows(jumping, words("en"))]
-    assert said.count(words("en")["event.rest"]) == kinds.count("rest")
+    rests = [row for row in said if row.endswith(words("en")["event.rest"])]
+    assert len(rests) == kinds.count("rest")
     assert len(said) == 1 + sum(kind in HEEDED for kind in kinds)
 
 

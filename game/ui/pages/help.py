@@ -19,8 +19,10 @@ from game.text.keycap import cap_name
 ROW = 23
 KEY_COLUMN = 126
 PAD = 26
-COLUMNS = (("play", "box"), ("aim", "numbers"), ("time", "always"))
+COLUMNS = (("play", "box"), ("aim", "numbers"), ("time", "always"), ("shots",), ("practice",))
 """The sections of each column: what is in them comes from the table of commands."""
+BESIDE = 3
+"""Columns of a sheet: there is a second one."""
 MOUSE = ("help.mouse.aim", "help.mouse.cue", "help.mouse.time")
 
 
@@ -34,7 +36,12 @@ def panel(layout: Layout) -> pygame.Rect:
 
 def column(layout: Layout) -> int:
     """Return the width of a column, px."""
-    return round((panel(layout).w - 2 * PAD * layout.s) / len(COLUMNS))
+    return round((panel(layout).w - 2 * PAD * layout.s) / BESIDE)
+
+
+def sheets() -> int:
+    """Return how many sheets there are."""
+    return -(-len(COLUMNS) // BESIDE)
 
 
 def rows(section: str) -> list[HelpRow]:
@@ -60,16 +67,25 @@ def darken(surface: pygame.Surface) -> None:
 
 
 def draw(
-    surface: pygame.Surface, layout: Layout, type_: Type, language: str, names: Mapping[str, str]
+    surface: pygame.Surface,
+    layout: Layout,
+    type_: Type,
+    language: str,
+    names: Mapping[str, str],
+    sheet: int = 0,
 ) -> pygame.Rect:
-    """Draw the page over a darkened window; returns all of it.  `names`: the key of each action."""
+    """Draw a sheet of the page over a darkened window; returns all of it.
+
+    `names`: the key of each action.
+    """
     darken(surface)
     s, w, rect = layout.s, words(language, names), panel(layout)
     shapes.box(surface, rect, s, PANEL, LINE_TRACK)
     left, top = rect.x + round(PAD * s), rect.y + round(38 * s)
     type_.draw(surface, w["help.title"], (left, top), 20, TEXT)
-    type_.draw(surface, w["help.close"], (rect.right - PAD * s, top), 13, TEXT_SOFT, "right")
-    for place, sections in enumerate(COLUMNS):
+    more = w["help.sheet"].format(sheet=sheet + 1, all=sheets()) + " · " + w["help.close"]
+    type_.draw(surface, more, (rect.right - PAD * s, top), 13, TEXT_SOFT, "right")
+    for place, sections in enumerate(COLUMNS[sheet * BESIDE :][:BESIDE]):
         y = rect.y + 70 * s
         for section in sections:
             shown = [(caption(row.keys, w, names), w[row.text]) for row in rows(section)]

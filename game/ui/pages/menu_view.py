@@ -12,9 +12,10 @@ from game.render.layout import Layout
 from game.render.parts import shapes, text_line
 from game.render.parts.text_line import TextLine
 from game.render.theme import ACCENT, LINE_INPUT, PANEL_RAISED
-from game.session.terms import FREE, LONGEST_NAME, MOST_POINTS, SKILLS, Terms
+from game.session.terms import FOUR_BALL, FREE, LONGEST_NAME, MOST_POINTS, SKILLS, Terms
 from game.table.own_table import is_own
 from game.text.text_field import TextField
+from game.ui import halls
 from game.ui.names import player_name
 from game.ui.sight import Sight
 
@@ -216,6 +217,8 @@ def _foot(w: dict[str, str], menu: MenuLook) -> str:
         if skill is not None:
             numbers = {"angle": f"{skill.angle:g}", "speed": f"{100 * skill.speed:g}"}
             return w["level.error"].format(**numbers, tip=f"{skill.tip:g}")
+    if row.name == "target" and terms.game == FOUR_BALL:
+        return halls.hint(terms, row.seat, w)
     if row.kind == "number" and menu.touched:
         return w["menu.hint.digits"]
     return w["menu.hint." + row.kind]
@@ -248,7 +251,7 @@ def value_word(row: MenuRow, terms: Terms, w: dict[str, str]) -> str:
         seat = terms.seats[row.seat]
         if row.name == "name":
             return seat.name
-        return w[f"level.{seat.level}"] if row.name == "level" else str(seat.target)
+        return w[f"level.{seat.level}"] if row.name == "level" else halls.goal(terms, row.seat, w)
     value = getattr(terms, row.name)
     if isinstance(value, bool):
         return w["yes" if value else "no"]

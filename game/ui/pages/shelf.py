@@ -8,10 +8,11 @@ from collections.abc import Hashable
 import pygame
 
 from game.input import editing
+from game.practice.trainer import Trainer
 from game.render.parts import text_line
 from game.session.action import Action
 from game.session.session import Session
-from game.table import lineup
+from game.table import drills, lineup, shared
 from game.table.library import LONGEST_NAME, Library
 from game.table.lineup import MARK, LineError, Lineup
 from game.table.own_table import base
@@ -38,8 +39,8 @@ class ShelfPage:
     `focus` counts the cards, then comes the box, then the buttons.
     """
 
-    def __init__(self, library: Library | None = None) -> None:
-        self.library = library or Library()
+    def __init__(self, trainer: Trainer | None = None, library: Library | None = None) -> None:
+        self.trainer, self.library = trainer, library or Library()
         self.group, self.focus = 0, 0
         self.over = ShelfSpot("")
         self._field = TextField("", LONGEST)
@@ -55,7 +56,15 @@ class ShelfPage:
         if group == "own":
             return [Card(name, True, found) for name, found in self.library.items.items()]
         self._ready = self._ready or list(lineup.shelf())
-        return [Card(f"position.{r.key}", False, r.lineup) for r in self._ready if r.group == group]
+        return [self._card(ready) for ready in self._ready if ready.group == group]
+
+    def _card(self, ready: lineup.Ready) -> Card:
+        """A set-up that comes with the program; most of them are drills."""
+        drill = f"{ready.group}.{ready.key}"
+        if self.trainer is None or drill not in drills.NAMES:
+            return Card(f"position.{ready.key}", False, ready.lineup)
+        stars = self.trainer.book.of(drill).stars
+        return Card(f"position.{ready.key}", False, ready.lineup, drill, stars)
 
     @property
     def typing(self) -> bool:
@@ -77,11 +86,13 @@ class ShelfPage:
         return self._field if self.typing else None
 
     def open(self, session: Session) -> None:
-        """Begin with the group of the game that is played."""
+        """Begin with the group of the game that is played, and with the drill that is."""
         self._session = session
         if self.group == 0:
             self.group = self._usual(session)
-        self.focus, self.said = 0, ("", "")
+        now = [card.drill for card in self.cards]
+        drill = self.trainer.drill if self.trainer is not None else ""
+        self.focus, self.said = now.index(drill) if drill in now else 0, ("", "")
         if self.library.faulty:
             self.said = "shelf.broken", ""
 
@@ -96,7 +107,8 @@ class ShelfPage:
 
     def look(self, sight: Sight) -> Hashable:
         """Return what its picture depends on."""
-        names, line = tuple(card.name for card in self.cards), sight.line(self._field)
+        line = sight.line(self._field)
+        names = tuple((card.name, card.stars) for card in self.cards)
         return self.group, self.focus, self.over, line, self.said, names, sight.words["shelf.title"]
 
     def draw(self, surface: pygame.Surface, sight: Sight) -> pygame.Rect:
@@ -200,6 +212,8 @@ class ShelfPage:
     def _take(self, card: Card) -> Action:
         if GROUPS[self.group] == "scenes":
             return Action("scene", card.lineup.table)
+        if card.drill:
+            return Action("drill", card.drill)
         return Action("line", card.lineup.line())
 
     def _press(self, at: tuple[int, int], sight: Sight) -> Action | None:
@@ -256,12 +270,13 @@ class ShelfPage:
         """Take the line in the box, or else the one in the clipboard; a broken one says why."""
         text = self.text if self.text.startswith(MARK) else clipboard.get() or self.text
         try:
-            lineup.read(text)
+            shot = text.startswith(shared.MARK)
+            (shared if shot else lineup).read(text)
         except LineError as error:
             self.text, self.said = text, (f"line.{error.reason}", error.word)
             return None
         self.text, self.said = "", ("", "")
-        return Action("line", text)
+        return Action("open" if shot else "line", text)
 
     def _delete(self) -> None:
         cards = self.cards

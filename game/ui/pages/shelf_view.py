@@ -10,13 +10,14 @@ import pygame
 
 from game.render import theme
 from game.render.layout import Layout
-from game.render.parts import shapes, text_line
+from game.render.parts import shapes, stars, text_line
 from game.render.parts.text_line import TextLine
 from game.render.table.finish import FINISHES
 from game.render.theme import ACCENT, LINE, LINE_INPUT, PANEL_RAISED, mix
 from game.table import presets
 from game.table.lineup import UNMADE, Lineup
 from game.text.text_field import TextField
+from game.ui.panels import drill_words
 from game.ui.sight import Sight
 from game.ui.table.looks import kind_of, looks_of
 from physics import Pocket, World
@@ -44,11 +45,16 @@ class ShelfSpot(NamedTuple):
 
 
 class Card(NamedTuple):
-    """A set-up on show: what it is called, by a key of the texts or by the player."""
+    """A set-up on show: what it is called, by a key of the texts or by the player.
+
+    drill, stars  the name of the drill that it is, and how many stars it has been worth so far
+    """
 
     name: str
     own: bool
     lineup: Lineup
+    drill: str = ""
+    stars: int = 0
 
 
 class ShelfLook(NamedTuple):
@@ -144,7 +150,7 @@ def draw(surface: pygame.Surface, sight: Sight, shelf: ShelfLook) -> pygame.Rect
     """Draw the shelf and return its rectangle."""
     w, layout, type_ = sight.words, sight.layout, sight.type
     key, word = shelf.said
-    foot = w[key].format(word=word) if key else w["shelf.hint"]
+    foot = w[key].format(word=word) if key else _hint(shelf, w)
     wrong = key.startswith(WRONG)
     closing = shelf.over.kind == "close"
     rect = page_parts.frame(surface, sight, w["shelf.title"], foot, wrong, closing)
@@ -159,6 +165,12 @@ def draw(surface: pygame.Surface, sight: Sight, shelf: ShelfLook) -> pygame.Rect
         hot = shelf.over == ShelfSpot("button", place)
         page_parts.button(surface, spot, type_, w[f"shelf.{name}"], focused, hot)
     return rect
+
+
+def _hint(shelf: ShelfLook, w: dict[str, str]) -> str:
+    """What the drill in focus asks for, or what keys do."""
+    drill = shelf.cards[shelf.focus].drill if shelf.focus < len(shelf.cards) else ""
+    return drill_words.goal(drill, w) if drill else w["shelf.hint"]
 
 
 def _cards(surface: pygame.Surface, sight: Sight, shelf: ShelfLook) -> None:
@@ -181,6 +193,10 @@ def _cards(surface: pygame.Surface, sight: Sight, shelf: ShelfLook) -> None:
         name = type_.fitted(name, 13, rect.w - 12 * s)
         ink = theme.TEXT if focused or hot else theme.TEXT_SOFT
         type_.draw(surface, name, (rect.centerx, rect.bottom - 10 * s), 13, ink, "centre")
+        if card.drill:
+            side = 12 * s
+            corner = rect.right - (3 * 1.25 + 0.6) * side, rect.y + 0.9 * side
+            stars.draw(surface, corner, side, card.stars)
 
 
 def _box(surface: pygame.Surface, sight: Sight, shelf: ShelfLook) -> None:

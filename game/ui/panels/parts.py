@@ -20,7 +20,7 @@ from game.table.own_table import is_own
 from game.ui.sight import Place, Sight
 from game.ui.table.looks import ball_words
 
-from . import coach_words, prompts, tray, warning
+from . import coach_words, launch_card, prompts, tray, warning
 
 WARNINGS = ("miscue",)
 """Notices of something that was put right, so that the shot can be played."""
@@ -275,12 +275,16 @@ def _engine_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
 def _readouts_key(sight: Sight) -> Hashable:
     if sight.mode != "after" and tray.wanted(sight.session):
         return tray.key(sight)
+    if launch_card.wanted(sight):
+        return launch_card.key(sight)
     return tuple(number(v) for v in sight.session.readout)
 
 
 def _readouts_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
     if sight.mode != "after" and tray.wanted(sight.session):
         return tray.draw(surface, rect, sight)
+    if launch_card.wanted(sight):
+        return launch_card.draw(surface, rect, sight)
     w = sight.words
     names = (w["read.v"], w["read.w"], w["read.wz"])
     values = (number(v) for v in sight.session.readout)

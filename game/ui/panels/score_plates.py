@@ -11,6 +11,7 @@ from danggu.rules.verdict import Verdict
 from game.render.parts import cards
 from game.render.theme import ACCENT, ERROR, GOOD, TEXT, TEXT_SOFT, Colour
 from game.session.running_match import Contest
+from game.ui import halls
 from game.ui.names import player_name
 from game.ui.sight import Sight
 
@@ -80,6 +81,7 @@ def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | Non
     parts = parts if racked is None else racked
     if sheet.fouls and racked is None:
         parts.append(w["score.fouls"].format(n=sheet.fouls))
+    parts = [*halls.handicap(contest.terms, index, w), *parts]
     if match.at != index or match.finished:
         return " · ".join(parts), None
     if contest.level is not None and not sight.session.moving and sight.mode == "aim":

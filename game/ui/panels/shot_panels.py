@@ -20,7 +20,15 @@ from game.ui.sight import Place, Sight
 from game.ui.table import drag_aim, place_balls
 from game.ui.table.looks import ball_words, looks_of
 
-from . import aim_panel, asked_card, nominate, rack_words, score_plates, time_strip
+from . import (
+    aim_panel,
+    asked_card,
+    drill_words,
+    nominate,
+    rack_words,
+    score_plates,
+    time_strip,
+)
 from .parts import Panel, number
 
 # -- the row above the table ---------------------------------------------------------------------
@@ -51,6 +59,8 @@ def _head_numbers(sight: Sight) -> tuple[tuple[str, str], ...]:
 def _head_look(sight: Sight) -> Hashable:
     if sight.session.contest is not None:
         return score_plates.match_look(sight.session.contest, sight)
+    if drill_words.wanted(sight):
+        return drill_words.key(sight)
     return _state(sight.session), _head_numbers(sight)
 
 
@@ -59,6 +69,8 @@ def _head_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyga
     if sight.session.contest is not None:
         score_plates.match_draw(sight.session.contest, surface, sight)
         return rect
+    if drill_words.wanted(sight):
+        return drill_words.draw(surface, rect, sight)
     s, t, w = sight.layout.s, sight.type, sight.words
     cards.card(surface, rect, s, raised=True)
     left = rect.x + round(16 * s)
@@ -106,16 +118,21 @@ def _log_key(sight: Sight) -> Hashable:
 def log_rows(
     session: Session, w: dict[str, str], colours: str = "usual", hit: str = "event.ball"
 ) -> list[cards.LogRow]:
-    """The events of the shot that matter to a player; `hit` is the key for balls that meet."""
+    """The events of the shot that matter to a player, each with its ball's name.
+
+    `hit` is the key for balls that meet; with any but the usual one, which names both, rows are for
+    a second language beside the first and name no ball again.
+    """
+    named = hit == "event.ball"
     names = [ball.name for ball in session.world.balls]
     colour = dict(zip(names, looks_of(session.world, colours), strict=True))
 
     def dots(balls: tuple[str, ...]) -> tuple[tuple[tuple[int, int, int], str], ...]:
         return tuple((colour[b].ui, colour[b].letter) for b in balls)
 
-    rows = (
-        [cards.LogRow("0.00", dots((session.shooter,)), w["event.strike"])] if session.shots else []
-    )
+    struck = w["event.strike"]
+    struck = _of("strike", session.shooter, struck, w) if named else struck
+    rows = [cards.LogRow("0.00", dots((session.shooter,)), struck)] if session.shots else []
     for event in session.timeline.notable:
         balls = event.balls
         if balls[-1] == session.shooter:
@@ -129,11 +146,18 @@ def log_rows(
         elif event.kind == "cushion":
             side, inner = w.get(f"wall.{event.wall}"), "event.cushion.inner"
             inner = "event.jaw" if "pocket" in (event.wall or "") else inner
-            said = w["event.cushion"].format(wall=side) if side else w[inner]
+            met = w["event.cushion"].format(wall=side) if side else w[inner]
+            said = _of("cushion", balls[0], met, w) if named else met
         else:
             said = w["event.rest"]
+            said = _of("rest", balls[0], said, w) if named else said
         rows.append(cards.LogRow(number(event.time - session.began), dots(balls), said))
     return rows
+
+
+def _of(kind: str, ball: str, said: str, w: dict[str, str]) -> str:
+    """Say what happened to a ball with its name."""
+    return w[f"event.of.{kind}"].format(ball=ball_words(ball, w), said=said)
 
 
 def _log_times(session: Session) -> list[float]:

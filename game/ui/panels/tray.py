@@ -15,6 +15,8 @@ from game.session.session import Session
 from game.ui.sight import Sight
 from game.ui.table.looks import ball_words
 
+from . import launch_card
+
 SLOT = 11
 """Radius of a slot at most, px at s = 1."""
 ROWS = 9
@@ -31,7 +33,8 @@ def key(sight: Sight) -> Hashable:
     session = sight.session
     gone = tuple(ball.gone for ball in session.world.balls)
     contest = session.contest
-    return gone, session.cue, contest and contest.match, sight.settings
+    leaves = launch_card.key(sight) if launch_card.wanted(sight) else None
+    return gone, leaves, session.cue, contest and contest.match, sight.settings
 
 
 def slots(session: Session) -> list[str]:
@@ -45,14 +48,16 @@ def slots(session: Session) -> list[str]:
 
 
 def draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
-    """Draw the tray."""
+    """Draw the tray; while a stroke is aimed its head says how the ball will leave."""
     s, t, w, session = sight.layout.s, sight.type, sight.words, sight.session
     cards.card(surface, rect, s)
     names = slots(session)
     rows = 1 if len(names) <= ROWS else 2
-    t.draw(surface, w["down.title"], (rect.x + 12 * s, rect.y + 18 * s), 12, theme.TEXT_SOFT)
     said, right = on(session, w), rect.right - 12 * s
-    t.draw(surface, said, (right, rect.y + 18 * s), 12, theme.TEXT, "right")
+    end = t.draw(surface, said, (right, rect.y + 18 * s), 12, theme.TEXT, "right").x
+    title = launch_card.line(sight) or w["down.title"]
+    title = t.fitted(title, 12, end - rect.x - 20 * s)
+    t.draw(surface, title, (rect.x + 12 * s, rect.y + 18 * s), 12, theme.TEXT_SOFT)
     across = ceil(len(names) / rows)
     if not across:
         return rect

@@ -8,6 +8,7 @@ from math import ceil
 import pygame
 
 from game.aim.spread import SAMPLES, Spread
+from game.practice.trainer import Trainer
 from game.render.layout import Layout
 from game.render.table import cue_stick, lines
 from game.render.table.balls import BallSprites, Spot
@@ -16,12 +17,14 @@ from game.render.table.finish import FINISHES
 from game.session.session import Session
 from game.settings.settings import Settings
 
-from . import balklines, labels, marks, preview_lines
+from . import balklines, labels, marks, preview_lines, zone_marks
 from .cue_pose import Pose, pose
+from .diamond_marks import DiamondMarks
 from .dropped import AWAY, Dropped
 from .furniture import falls_into, furnished, holes
 from .looks import kind_of, looks_of
 from .orientations import Orientations
+from .over import Over
 from .sketch import Sketch
 from .trail import Trail
 
@@ -58,6 +61,8 @@ class Stage:
         self.holes = holes(session.world)
         self.dropped = Dropped(falls_into(session.world), fine=many)
         self.trail, self.orientations = Trail(), Orientations(self.sprites)
+        self.trainer: Trainer | None = None
+        self.over, self.diamonds = Over(), DiamondMarks()
         self.spread, self.fan = spread or Spread(), Fan(layout)
         self._time, self._shown = session.world.time, (session.began, session.timeline.at)
         self._under: object = None
@@ -94,7 +99,7 @@ class Stage:
 
     def draw(self, surface: pygame.Surface, session: Session) -> list[pygame.Rect]:
         """Bring the table up to date; returns the rectangles that changed."""
-        dirty = self._draw_lines(session)
+        dirty = self._draw_lines(session) + self.over.changed()
         if marks.aiming(session):
             self.sprites.settle()
         places = [spot for spot in self.dropped.spots(session) if spot.height > AWAY]
@@ -115,6 +120,7 @@ class Stage:
         """Draw the whole window's background and table again."""
         self._under = None
         self.trail.undrawn()
+        self.over.undrawn()
         self._balls = [(None, NOTHING)] * len(self.looks)
         self._cue = (None, NOTHING)
         self.lines.blit(self.base, (0, 0))
@@ -125,7 +131,10 @@ class Stage:
     def _draw_lines(self, session: Session) -> list[pygame.Rect]:
         """Redraw what lies under the balls if it is not what it was."""
         aids = self.settings.aids
-        key = marks.key(session, aids), self._fanned(session), self.sketch.key(session)
+        key = (
+            marks.key(session, aids), self._fanned(session), self.sketch.key(session),
+            self.diamonds.key(session, self.settings.diamonds), zone_marks.key(self.trainer),
+        )  # fmt: skip
         if key == self._under:
             grown = self.trail.draw(self.lines, self.layout, session, self.looks)
             self._marked += grown
@@ -135,9 +144,10 @@ class Stage:
         for rect in _merged(old):
             self.lines.blit(self.base, rect, rect)
         self.lines.set_clip(self.layout.table)
-        fan = self._draw_fan(session)
+        fan = zone_marks.draw(self.lines, self.layout, self.trainer) + self._draw_fan(session)
         given = self.lines, self.layout, session, self.looks
         self._marked = fan + marks.draw(*given, aids, self.holes)
+        self._marked += self.diamonds.draw(self.lines, self.layout, session)
         self._marked += self._labels(session)
         self._marked += self.sketch.draw(self.lines, self.layout, session)
         self.lines.set_clip(None)
@@ -220,6 +230,7 @@ class Stage:
         self.sprites.draw_all(surface, near)
         if stroke is not None and self._cue[1].colliderect(rect):
             cue_stick.draw(surface, self.layout, *stroke)
+        self.over.draw(surface, rect)
         surface.set_clip(None)
 
 
