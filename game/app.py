@@ -241,6 +241,7 @@ class App:
         if isinstance(menu, MenuPage) and isinstance(score, ScorePage):
             menu.offers, score.career = self.keeper.offered, self.keeper.statistics.of
             if self.folder is not None:
+                self.view.labs.folder = self.folder
                 self.view.tracks.file = OwnTableFile(self.folder)
                 menu.own = lambda: self.view.tracks.file.key
 

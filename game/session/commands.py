@@ -36,7 +36,7 @@ from .values import (
 
 LAST = 99
 """Place of a row that has not been given any."""
-PAGES = ("", "settings", "menu", "shelf", "rules", "score", "tracks", "ask")
+PAGES = ("", "settings", "menu", "shelf", "rules", "score", "tracks", "labs", "ask")
 """What may lie over the table: "ask" is a question alone."""
 
 
@@ -174,12 +174,14 @@ TABLE = (
             rows=(HelpRow("always", 3, "@settings", "key.settings"),), keeps_notice=True),
     Command("sheet", table.page, one_of("PAGE", PAGES),
             (Key("f4", "shelf", always=True), Key("f5", "rules", always=True),
-             Key("f6", "score", always=True), Key("f9", "tracks", always=True),
+             Key("f6", "score", always=True), Key("f7", "labs", always=True),
+             Key("f9", "tracks", always=True),
              Key("f10", "menu", always=True),
              Key("escape", "menu")),
             (HelpRow("always", 4, "@sheet shelf", "key.sheet shelf"),
              HelpRow("always", 5, "@sheet rules", "key.sheet rules"),
              HelpRow("always", 5.5, "@sheet score", "key.sheet score"),
+             HelpRow("always", 5.6, "@sheet labs", "key.sheet labs"),
              HelpRow("always", 5.7, "@sheet tracks", "key.sheet tracks"),
              HelpRow("always", 6, "@sheet menu", "key.sheet menu")), keeps_notice=True),
     # what no key does that a player could choose
@@ -218,7 +220,8 @@ TABLE = (
     Command("resume", table.resume, line("SAVED", saved.read, "a saved match"),
             ends_match="begun"),
     Command("line", table.line, line("LINE", lineup.read, "a set-up"), ends_match="always"),
-    Command("scene", table.scene, one_of("NAME", presets.SCENES, needed=True), ends_match="always"),
+    Command("scene", table.scene, key_in("NAME", presets.SCENES, needed=True),
+            ends_match="always"),
     Command("cloth", table.use_cloth, one_of("KEY", presets.CLOTHS), kept=True, ends_match="terms"),
     Command("table", table.table, _TABLE, kept=True, ends_match="always"),
     Command("still", _own("still"), own=True),

@@ -12,12 +12,14 @@ import re
 from . import (
     en,
     en_inverse,
+    en_labs,
     en_match,
     en_play,
     en_pool,
     en_rules,
     ko,
     ko_inverse,
+    ko_labs,
     ko_match,
     ko_play,
     ko_pool,
@@ -26,8 +28,8 @@ from . import (
 
 LANGUAGES = {
     "en": en.WORDS | en_match.WORDS | en_play.WORDS | en_pool.WORDS | en_rules.WORDS
-    | en_inverse.WORDS,
+    | en_inverse.WORDS | en_labs.WORDS,
     "ko": ko.WORDS | ko_match.WORDS | ko_play.WORDS | ko_pool.WORDS | ko_rules.WORDS
-    | ko_inverse.WORDS,
+    | ko_inverse.WORDS | ko_labs.WORDS,
 }
 KEY = re.compile(r"@\[([^]]+)\]")

@@ -20,6 +20,7 @@ from game.ui.sight import Sight
 
 from .pages import help as keys_page
 from .pages import question
+from .pages.labs_page import LabsPage
 from .pages.menu import MenuPage
 from .pages.page_parts import Page
 from .pages.question import Question
@@ -53,11 +54,11 @@ class View:
         preferences: Preferences | None = None,
     ) -> None:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
-        self.sketch, self.tracks = Sketch(), TracksPage()
+        self.sketch, self.tracks, self.labs = Sketch(), TracksPage(), LabsPage()
         self.pages: dict[str, Page] = {
             "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(),
             "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
-            "tracks": self.tracks,
+            "tracks": self.tracks, "labs": self.labs,
         }  # fmt: skip
         self.composition = Composition()
         self.question: Question | None = None

@@ -129,7 +129,7 @@ TEXT = {
     "cradle.speed": "their speed",
     "cradle.momentum": "momentum of all balls",
     "cradle.energy": "energy of all balls",
-    "cradle.factor": "energy of one ball with all the momentum, over that there is",
+    "cradle.factor": "the energy one ball would need, over that there is",
     # -- pi --
     "pi.title": "The digits of π by collisions",
     "pi.ask": (

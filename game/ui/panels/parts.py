@@ -16,6 +16,7 @@ from game.session.action import Action
 from game.session.notice import Notice
 from game.session.session import Session
 from game.table.own_table import is_own
+from game.ui.names import scene_name
 from game.ui.sight import Place, Sight
 from game.ui.table.looks import ball_words
 
@@ -208,7 +209,7 @@ def _hint_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyga
 def badge(session: Session, w: dict[str, str]) -> tuple[str, str]:
     """Engine and laws in use, and the table."""
     key = "own" if is_own(session.table) else session.table
-    table = w.get("table." + key) or w["position." + key]
+    table = w.get("table." + key) or scene_name(key, w, session.language)
     if getattr(session.world.cushion_law, "creates_energy", False):
         table = f"{w['law.creates']} · {table}"
     return f"{w['engine.' + session.engine]} · {w['law.' + session.law]}", table
