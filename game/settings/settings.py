@@ -46,6 +46,8 @@ class Settings:
     still               reduced motion
     both                a log in two languages
     fan                 the spread of a shot
+    compare             a shot by other laws and the other engine, over it
+    graphs              curves of a shot in place of its log
     keys                the changed ones, action to key
     size                of the window, px
     """
@@ -62,6 +64,8 @@ class Settings:
     still: bool = False
     both: bool = False
     fan: bool = False
+    graphs: bool = False
+    compare: bool = False
     keys: dict[str, str] = field(default_factory=dict)
     size: tuple[int, int] = (1280, 720)
 

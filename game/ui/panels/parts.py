@@ -176,6 +176,7 @@ def hint(session: Session, w: dict[str, str]) -> tuple[str, bool]:
 def _noticed(notice: Notice, session: Session, w: dict[str, str]) -> str:
     names = {"law": w[f"law.{session.law}"], "engine": w[f"engine.{session.engine}"]}
     names["ball"] = ball_words(notice.about, w) if notice.about else ""
+    names["about"] = notice.about
     return w[f"notice.{notice.key}"].format(*notice.about.split(), **names)
 
 

@@ -20,7 +20,7 @@ from game.ui.sight import Place, Sight
 from game.ui.table import drag_aim, place_balls
 from game.ui.table.looks import ball_words, looks_of
 
-from . import aim_panel, asked_card, nominate, score_plates, time_strip
+from . import aim_panel, asked_card, graphs, nominate, score_plates, time_strip
 from .parts import Panel, number
 
 # -- the row above the table ---------------------------------------------------------------------
@@ -97,6 +97,8 @@ def _result_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
 
 def _log_key(sight: Sight) -> Hashable:
     session = sight.session
+    if sight.settings.graphs:
+        return graphs.key(sight)
     head = session.timeline.passed, session.timeline.at is None
     return session.shots, session.began, len(session.world.log), head, sight.settings.both
 
@@ -151,6 +153,8 @@ def _log_place(sight: Sight, rect: pygame.Rect) -> tuple[int, int]:
 
 
 def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+    if sight.settings.graphs:
+        return graphs.draw(surface, rect, sight)
     rows, title = (
         log_rows(sight.session, sight.words, sight.settings.colours),
         sight.words["events"],
@@ -163,7 +167,9 @@ def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygam
     letters = sight.settings.colours == "safe"
     cards.log(surface, rect, sight.type, title, rows, current, letters, first=top)
     at = (rect.right - 12 * sight.layout.s, rect.y + 23 * sight.layout.s)
-    sight.type.draw(surface, sight.words["events.both"], at, 12, TEXT_SOFT, "right")
+    both = sight.type.draw(surface, sight.words["events.both"], at, 12, TEXT_SOFT, "right")
+    at = (both.x - 14 * sight.layout.s, at[1])
+    sight.type.draw(surface, sight.words["graphs.title"], at, 12, TEXT_SOFT, "right")
     return rect
 
 
@@ -173,9 +179,15 @@ def _with_second(rows: list[cards.LogRow], others: list[cards.LogRow]) -> list[c
 
 
 def _log_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
-    """Show the moment of a row; the head of the list adds the other language."""
+    """Show the moment of a row; the head of the list has the graphs, and the other language."""
+    if sight.settings.graphs:
+        return graphs.touch(at, rect, sight)
+    if not sight.pointer.pressing:
+        return None
     if at[1] < cards.log_row(rect, sight.layout.s, 0).y:
-        return Action("both")
+        both = rect.right - 19 * sight.layout.s - sight.type.width(sight.words["events.both"], 12)
+        graphed = sight.type.width(sight.words["graphs.title"], 12) + 14 * sight.layout.s
+        return Action("graphs" if both - graphed <= at[0] < both else "both")
     times, (_, top) = _log_times(sight.session), _log_place(sight, rect)
     for place, time in enumerate(times[top : top + cards.log_rows(rect, sight.layout.s)]):
         if cards.log_row(rect, sight.layout.s, place).collidepoint(at):
@@ -218,6 +230,6 @@ def shot_parts(layout: Layout) -> list[Panel]:
         *aim_panel.parts(layout),
         asked_card.part(layout),
         Panel("result", layout.result, _result_look, _result_draw, mode="after"),
-        Panel("log", layout.log, _log_key, _log_draw, _log_touch, mode="after"),
+        Panel("log", layout.log, _log_key, _log_draw, _log_touch, True, mode="after"),
         Panel("table", layout.table, *table, drags=True, wheel=drag_aim.wheel),
     ]
