@@ -70,6 +70,18 @@ def test_labs_are_known_and_not_listed_among_the_scenes():
     assert not any(name.startswith("lab:") for name in presets.SCENES)
 
 
+def test_a_scene_that_has_run_is_run_again_as_it_began():
+    app = an_app()
+    app.perform(Action("scene", "lab:momentum-energy:3"))
+    begun = app.session.world.layout()
+    for _ in range(30):
+        app.frame(FRAME)
+    press(app, "r", frames=False)
+    app.frame(0)
+    assert app.session.world.layout() == begun
+    assert app.session.moving
+
+
 def test_a_lab_is_chosen_with_numbers_of_ones_own_and_opened():
     app, page = opened()
     press(app, "down", "down", "pageup", "pageup", "pagedown", "return")
