@@ -1,4 +1,4 @@
-"""Billiards as a library: physics' public names, and the rules and players built on them.
+"""Billiards as a library: physics' public names, and rules, players and labs built on them.
 
 `import danggu as dg` loads nothing; each name is loaded when it is first asked for.
 """
@@ -9,10 +9,11 @@ if TYPE_CHECKING:
     from physics import *  # noqa: F403
     from physics import __version__ as __version__
 
+    from . import labs as labs
     from . import players as players
     from . import rules as rules
 
-ROOMS = ("players", "rules")
+ROOMS = ("labs", "players", "rules")
 EXTRA = ("envs",)  # needs an extra, so neither `import *` nor completion loads it
 
 

@@ -1,4 +1,5 @@
-"""From the command line: `sweep` plays ranges of shots and says what they are worth in a game."""
+"""From the command line: `sweep` says what ranges of shots are worth in a game, `lab` is a
+worksheet."""
 
 from __future__ import annotations
 
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from physics import Ball, World, commandline, ranges, scenes, store, tables
 
+from .labs import command
 from .players.levels import LEVELS
 from .players.positions import SAGU, THREE_CUSHION, opening
 from .rules import GAMES, RACKS
@@ -32,6 +34,8 @@ def main(argv: list[str] | None = None) -> int:
     """Exit code 0, or 2 with a message where something cannot be."""
     options = parser().parse_args(ranges.joined(sys.argv[1:] if argv is None else argv))
     try:
+        if options.command == "lab":
+            return command.run(options)
         print(sweep(options), file=sys.stderr)
     except (ValueError, ImportError, OSError, MemoryError, RuntimeError) as error:
         return refuse(str(error))
@@ -48,7 +52,7 @@ def refuse(message: str) -> int:
 def parser() -> argparse.ArgumentParser:
     """The options."""
     commands = commandline.Refusing(prog="python -m danggu", description="Billiards by its rules.")
-    sub = commands.add_subparsers(dest="command", required=True, metavar="sweep")
+    sub = commands.add_subparsers(dest="command", required=True, metavar="sweep, lab")
     one = sub.add_parser("sweep", help="what shots are worth in a game, each from one position")
     one.add_argument(
         "name", metavar="NAME", nargs="?", default="opening",
@@ -63,6 +67,7 @@ def parser() -> argparse.ArgumentParser:
     ranges.add_workers(one)
     one.add_argument("--csv", metavar="FILE", help="write a line a shot (- for the terminal)")
     one.add_argument("--npz", metavar="FILE", help="write NumPy arrays")
+    command.add_options(sub)
     return commands
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from io import BytesIO
 from pathlib import Path
 
 import pygame
@@ -20,10 +21,12 @@ from .session.commands import COMMANDS
 from .session.commands import perform as perform_command
 from .session.session import Session
 from .session.ticks import seconds
+from .settings import shot_files
 from .settings.keeper import Keeper
 from .settings.own_table_file import OwnTableFile
 from .settings.preferences import Preferences
 from .sound.hearing import SILENCE, Ear
+from .table import library
 from .table.presets import size as table_size
 from .ui.layers import INPUT, MOUSE, Layers
 from .ui.pages import question
@@ -75,7 +78,7 @@ class App:
         self.view = View(session, self.canvas.surface.get_size(), length, width, self.preferences)
         self.ear = Ear(length / 2)
         self.keeper = Keeper(session, folder)
-        self.folder = folder
+        self.folder = self.exports = folder
         self._offer()
         self._world = session.world
         self.journal = journal
@@ -196,6 +199,9 @@ class App:
         if human and not sure and self.replay is None and question.due(action, self.session):
             self._ask(action)
             return
+        if action.name == "export":
+            self._export()
+            return
         if COMMANDS[action.name].own:
             self.preferences.refused = None
             perform_command(self.session, action, self.preferences)
@@ -254,10 +260,27 @@ class App:
         if isinstance(menu, MenuPage) and isinstance(score, ScorePage):
             menu.offers, score.career = self.keeper.offered, self.keeper.statistics.of
             if self.folder is not None:
+                self.view.labs.folder = self.folder
                 self.view.tracks.file = OwnTableFile(self.folder)
                 self.view.shots.path = self.folder / "shots"
                 self.view.trainer.book.path = self.folder / "drills.json"
                 menu.own = lambda: self.view.tracks.file.key
+
+    def _export(self) -> None:
+        """Write the shot on show as data and as a picture, and say where."""
+        session, image = self.session, BytesIO()
+        self.redraw()
+        self.render()
+        pygame.image.save(self.canvas.surface, image, "shot.png")
+        began = session.began if session.shown_shot else session.world.time
+        try:
+            folder = self.exports or library.folder()
+            path = shot_files.write(folder, session.world, began, image.getvalue())
+        except OSError as error:
+            session.say("unexported", error=True, about=error.strerror or str(error))
+        else:
+            session.say("exported", about=shot_files.shortly(path))
+        self.view.expose()  # what is said shows behind a page too
 
     def redraw(self, changed: bool = True) -> None:
         """Draw in this frame even if nothing of the game has changed."""

@@ -235,12 +235,18 @@ NO_STORY = Story((), (), 0.0)
 
 def forecast(world: World, since: float) -> Story:
     """Tell the shot that began at `since` to its end: what has happened and what will."""
+    ahead = ahead_of(world)
+    return NO_STORY if ahead is None else story(ahead.log, since, ahead.time)
+
+
+def ahead_of(world: World) -> World | None:
+    """A copy that has run to its end, or for a glimpse; None if the engine cannot go on."""
     ahead = world.copy()
     try:
         ahead.run(world.time + (HORIZON if rests(world) else GLIMPSE))
     except FAILS:
-        return NO_STORY
-    return story(ahead.log, since, ahead.time)
+        return None
+    return ahead
 
 
 def path(log: Log, name: str, since: float, until: float) -> tuple[Place, ...]:

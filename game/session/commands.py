@@ -36,7 +36,9 @@ from .values import (
 
 LAST = 99
 """Place of a row that has not been given any."""
-PAGES = ("", "settings", "menu", "shelf", "rules", "score", "tracks", "save", "shots", "ask")
+PAGES = (
+    "", "settings", "menu", "shelf", "rules", "score", "tracks", "save", "shots", "labs", "ask",
+)  # fmt: skip
 """What may lie over the table: "ask" is a question alone."""
 
 
@@ -119,7 +121,7 @@ TABLE = (
             (Key("e"),), (HelpRow("play", 9, "@engine", "help.engine"),), kept=True,
             ends_match="terms"),
     Command("law", table.said(table.use_law, "law"), one_of("KEY", presets.LAWS), (Key("l"),),
-            (HelpRow("play", 10, "@law", "help.law"),), kept=True, ends_match="terms"),
+            (HelpRow("play", 10, "@law @compare", "help.laws"),), kept=True, ends_match="terms"),
     Command("retry", play.retry, keys=(Key("r"),),
             rows=(HelpRow("play", 8, "@retry", "help.retry"),)),
     Command("aids", _own("aids"), _KEY, (Key("a"),), (HelpRow("aim", 8, "@aids", "help.aids"),),
@@ -151,7 +153,10 @@ TABLE = (
     Command("fan", _own("fan"), keys=(Key("f"),), own=True,
             rows=(HelpRow("aim", 9, "@fan", "help.fan"),)),
     Command("both", _own("both"), keys=(Key("n"),), own=True,
-            rows=(HelpRow("always", 8, "@both", "key.both"),)),
+            rows=(HelpRow("always", 8, "@both @graphs @export", "help.log"),)),
+    Command("graphs", _own("graphs"), keys=(Key("f8", always=True),), own=True, rows=()),
+    Command("compare", _own("compare"), keys=(Key("x"),), own=True, rows=()),
+    Command("export", _own("export"), keys=(Key("f12", always=True),), own=True, rows=()),
     Command("full", _own("full"), keys=(Key("f11", always=True),), own=True,
             rows=(HelpRow("always", 6.5, "@full", "key.full"),)),
     Command("diamonds", _own("diamonds"), _KEY, (Key("d"),), own=True,
@@ -186,10 +191,11 @@ TABLE = (
             rows=(HelpRow("always", 3, "@settings", "key.settings"),), keeps_notice=True),
     Command("sheet", table.page, one_of("PAGE", PAGES),
             (Key("f4", "shelf", always=True), Key("f5", "rules", always=True),
-             Key("f6", "score", always=True), Key("f9", "tracks", always=True),
+             Key("f6", "score", always=True), Key("f7", "labs", always=True),
+             Key("f9", "tracks", always=True),
              Key("f10", "menu", always=True),
              Key("escape", "menu")),
-            (HelpRow("always", 4, "@sheet shelf", "key.sheet shelf"),
+            (HelpRow("always", 4, "@sheet shelf @sheet labs", "help.shelf"),
              HelpRow("always", 5, "@sheet rules", "key.sheet rules"),
              HelpRow("always", 5.5, "@sheet score", "key.sheet score"),
              HelpRow("always", 5.7, "@sheet tracks", "key.sheet tracks"),
@@ -236,7 +242,8 @@ TABLE = (
     Command("line", table.line, line("LINE", lineup.read, "a set-up"), ends_match="always"),
     Command("open", table.open_shot, line("SHOT", shared.read, "a shot"), ends_match="always"),
     Command("drill", table.drill, one_of("NAME", drills.NAMES, needed=True), ends_match="always"),
-    Command("scene", table.scene, one_of("NAME", presets.SCENES, needed=True), ends_match="always"),
+    Command("scene", table.scene, key_in("NAME", presets.SCENES, needed=True),
+            ends_match="always"),
     Command("cloth", table.use_cloth, one_of("KEY", presets.CLOTHS), kept=True, ends_match="terms"),
     Command("table", table.table, _TABLE, kept=True, ends_match="always"),
     Command("still", _own("still"), own=True),

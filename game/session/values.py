@@ -92,9 +92,9 @@ def one_of(label: str, keys: Iterable[str], *, needed: bool = False) -> Value:
     return Value(label, fault)
 
 
-def key_in(label: str, known: Mapping[str, object]) -> Value:
-    """A key of some things, of which not all need be listed, or no value."""
-    listed = one_of(label, known)
+def key_in(label: str, known: Mapping[str, object], *, needed: bool = False) -> Value:
+    """A key of some things, of which not all need be listed, or no value unless one is needed."""
+    listed = one_of(label, known, needed=needed)
 
     def fault(value: object) -> str:
         return "" if isinstance(value, str) and value in known else listed.fault(value)

@@ -71,6 +71,17 @@ class Preferences:
         """Fill the screen, or show a window."""
         self.settings.full = not self.settings.full
 
+    def graphs(self) -> None:
+        """Curves of the shot, or its log."""
+        self.settings.graphs = not self.settings.graphs
+
+    def compare(self) -> None:
+        """The shot by other laws and the other engine, over it, or not."""
+        self.settings.compare = not self.settings.compare
+
+    def export(self) -> None:
+        """Nothing that is chosen: the app, which has the picture, writes the shot."""
+
     def volume(self, value: int) -> None:
         """Set the volume, 0 to LOUDEST."""
         self.settings.volume = min(max(value, 0), LOUDEST)

@@ -53,6 +53,8 @@ class Settings:
     fan                 the spread of a shot
     full                does the window fill the screen?
     guided              has the guide through a first shot been shown or skipped?
+    compare             a shot by other laws and the other engine, over it
+    graphs              curves of a shot in place of its log
     keys                the changed ones, action to key
     size                of the window, px
     """
@@ -74,6 +76,8 @@ class Settings:
     fan: bool = False
     full: bool = False
     guided: bool = False
+    graphs: bool = False
+    compare: bool = False
     keys: dict[str, str] = field(default_factory=dict)
     size: tuple[int, int] = (1280, 720)
 

@@ -10,6 +10,7 @@ from typing import Any
 import physics
 from physics import Ball, Cloth, EventDriven, Placed, World, laws, scenes, tables
 
+from .lab_scenes import Scenes
 from .own_table import Tables, base
 
 Place = tuple[float, float]
@@ -74,7 +75,7 @@ FIRST_CLOTHS = {"new": Cloth(slide=0.15, roll=0.005, spin_decay=5.0, gravity=9.8
 SECOND_TABLES = {"match": tables.MATCH_CAROM}
 SECOND_CLOTHS = tables.CLOTH_EDITIONS[1]
 """What was otherwise in edition 2, and in the first."""
-SCENES = scenes.SCENES
+SCENES = Scenes(scenes.SCENES)
 SIDES = ("west", "east", "south", "north")
 
 

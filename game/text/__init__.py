@@ -14,6 +14,7 @@ from . import (
     en_coach,
     en_first,
     en_inverse,
+    en_labs,
     en_match,
     en_play,
     en_pool,
@@ -22,6 +23,7 @@ from . import (
     ko_coach,
     ko_first,
     ko_inverse,
+    ko_labs,
     ko_match,
     ko_play,
     ko_pool,
@@ -30,8 +32,8 @@ from . import (
 
 LANGUAGES = {
     "en": en.WORDS | en_match.WORDS | en_play.WORDS | en_pool.WORDS | en_rules.WORDS
-    | en_inverse.WORDS | en_coach.WORDS | en_first.WORDS,
+    | en_inverse.WORDS | en_coach.WORDS | en_first.WORDS | en_labs.WORDS,
     "ko": ko.WORDS | ko_match.WORDS | ko_play.WORDS | ko_pool.WORDS | ko_rules.WORDS
-    | ko_inverse.WORDS | ko_coach.WORDS | ko_first.WORDS,
+    | ko_inverse.WORDS | ko_coach.WORDS | ko_first.WORDS | ko_labs.WORDS,
 }
 KEY = re.compile(r"@\[([^]]+)\]")

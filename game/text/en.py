@@ -119,7 +119,6 @@ WORDS = {
     "help.frame": "one frame back, on",
     "help.skip": "beginning, end of the shot",
     "help.engine": "engine: exact events or thesis steps",
-    "help.law": "next set of laws",
     "help.next": "next box; the fifth completes",
     "help.back": "delete before, after the caret",
     "help.caret": "move the caret; Shift selects",

@@ -119,7 +119,6 @@ WORDS = {
     "help.frame": "한 프레임 뒤로, 앞으로",
     "help.skip": "샷의 처음, 끝으로",
     "help.engine": "엔진: 정확한 사건 또는 논문 방식",
-    "help.law": "다음 법칙 묶음",
     "help.next": "다음 칸, 다섯째 다음은 입력 완료",
     "help.back": "커서 앞, 뒤 글자 지우기",
     "help.caret": "커서 옮기기, Shift 선택",

@@ -1,8 +1,9 @@
-"""What players are called in the window."""
+"""What players and scenes are called in the window."""
 
 from __future__ import annotations
 
 from game.session.terms import SKILLS, Terms
+from game.table.lab_scenes import sheet
 
 
 def player_name(terms: Terms, index: int, w: dict[str, str]) -> str:
@@ -13,3 +14,8 @@ def player_name(terms: Terms, index: int, w: dict[str, str]) -> str:
     if seat.level in SKILLS:
         return w["player.computer"].format(level=w[f"level.{seat.level}"])
     return w["player.human"].format(n=index + 1)
+
+
+def scene_name(key: str, w: dict[str, str], language: str) -> str:
+    """Return what a scene is called; that of a lab has the lab's title."""
+    return w.get(f"position.{key}") or sheet(key).title(language)

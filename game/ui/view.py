@@ -24,6 +24,7 @@ from game.ui.sight import Sight
 from .coach import Coach
 from .pages import help as keys_page
 from .pages import question
+from .pages.labs_page import LabsPage
 from .pages.menu import MenuPage
 from .pages.page_parts import Page
 from .pages.question import Question
@@ -66,12 +67,12 @@ class View:
         self.session, self.pointer, self.spread = session, Pointer(), Spread()
         self.sketch, self.tracks, self.coach = Sketch(), TracksPage(), Coach()
         self.toast, self.last, self.shots = Toast(), LastStroke(session), ShotFolder()
-        self.guide, self.trainer = Guide(), Trainer(session)
+        self.guide, self.trainer, self.labs = Guide(), Trainer(session), LabsPage()
         self.pages: dict[str, Page] = {
             "settings": SettingsPage(), "menu": MenuPage(), "shelf": ShelfPage(self.trainer),
             "rules": RulesPage(), "score": ScorePage(), "ask": question.QuestionPage(),
             "tracks": self.tracks, "save": ShotsPage(self.last, self.shots, saving=True),
-            "shots": ShotsPage(self.last, self.shots, saving=False),
+            "shots": ShotsPage(self.last, self.shots, saving=False), "labs": self.labs,
         }  # fmt: skip
         self.composition = Composition()
         self.keys_sheet = 0

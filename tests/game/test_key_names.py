@@ -60,11 +60,11 @@ def test_no_text_names_a_key_that_may_be_another_one():
 
 
 def test_words_follow_what_the_player_has_chosen():
-    changed = {"help": "f7", "stop": "h", "pause": "space", "back": "backslash"}
+    changed = {"help": "f13", "stop": "h", "pause": "space", "back": "backslash"}
     w = words("en", changed)
-    assert w["hint.moving"] == "H stops · Space pause · F7 help"
+    assert w["hint.moving"] == "H stops · Space pause · F13 help"
     assert w["hint.paused"] == "Space go on · \\ . frame · [ ] speed"
-    assert w["help.close"] == "F7 or Esc closes this page"
+    assert w["help.close"] == "F13 or Esc closes this page"
     assert w["key.space"] == "H"
     assert words("en")["hint.moving"] == "Space stops · P pause · F1 help"
 
@@ -72,7 +72,7 @@ def test_words_follow_what_the_player_has_chosen():
 @pytest.mark.parametrize("name", ["stop", "pause", "help", "retry", "undo", "arrange"])
 def test_the_window_follows_at_once(name):
     app = an_app()
-    key = "f7" if DEFAULTS[name].always else FREE
+    key = "f13" if DEFAULTS[name].always else FREE
     before = dict(app.view.sight.words)
     app.perform(Action("bind", f"{name} {key}"))
     after = app.view.sight.words
@@ -91,7 +91,7 @@ def test_the_page_of_keys_names_those_held_with_shift_too():
 def test_a_key_that_types_or_moves_the_caret_cannot_work_everywhere(key):
     """Else a name could not be written with it."""
     free = {b.key: name for name, b in DEFAULTS.items()}.get(key)
-    keys = Keys({free: "f8"} if free else {})
+    keys = Keys({free: "f14"} if free else {})
     with pytest.raises(ValueError, match="types"):
         keys.with_key("help", key)
 

@@ -46,6 +46,7 @@ def an_app(size=(960, 540), **options) -> App:
     chosen = replace(Options(), size=size, frames=1, **options)
     app = App(new_game(chosen), chosen)
     app.view.pages["shelf"].library.path = Path(FOLDER.name) / f"{id(app)}.json"
+    app.view.labs.folder = app.exports = Path(FOLDER.name)
     app.frame(0)
     return app
 

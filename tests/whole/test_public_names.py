@@ -9,10 +9,10 @@ import pytest
 
 import danggu
 import physics
-from danggu import players, rules
+from danggu import labs, players, rules
 from physics import aim, laws, scenes, store, tables, tracks
 
-PUBLIC = [physics, danggu, players, rules, aim, laws, scenes, store, tables, tracks]
+PUBLIC = [physics, danggu, labs, players, rules, aim, laws, scenes, store, tables, tracks]
 
 
 @pytest.mark.parametrize("package", PUBLIC, ids=lambda package: package.__name__)
@@ -37,7 +37,7 @@ def test_a_name_is_a_call_or_a_module_and_not_both():
             assert not (isinstance(thing, ModuleType) and name in thing.__dict__.get("__all__", ()))
 
 
-@pytest.mark.parametrize("package", [players, rules, aim, laws, scenes, store, tracks])
+@pytest.mark.parametrize("package", [labs, players, rules, aim, laws, scenes, store, tracks])
 def test_a_public_module_has_no_imports_of_its_own_among_its_names(package):
     assert "Any" not in dir(package)
     assert "annotations" not in dir(package)
@@ -46,7 +46,7 @@ def test_a_public_module_has_no_imports_of_its_own_among_its_names(package):
 
 
 def test_danggu_gives_the_names_of_physics_itself():
-    assert {*danggu.__all__} == {*physics.__all__, "players", "rules"}
+    assert {*danggu.__all__} == {*physics.__all__, "labs", "players", "rules"}
     assert all(getattr(danggu, name) is getattr(physics, name) for name in physics.__all__)
     assert danggu.__version__ == physics.__version__ == version("danggu")
 
@@ -57,7 +57,7 @@ def test_a_name_that_does_not_exist_is_an_error_that_says_so(package):
         _ = package.bal
 
 
-@pytest.mark.parametrize("name", ["Ball", "rules", "players", "scenes", "__version__"])
+@pytest.mark.parametrize("name", ["Ball", "labs", "rules", "players", "scenes", "__version__"])
 def test_import_danggu_loads_nothing_but_what_is_asked_for(name):
     code = (
         "import sys, danggu; assert 'physics' not in sys.modules; danggu.{}; "

@@ -20,6 +20,7 @@ OPENS_THE_GAME = {
     "benchmarks/frame.py": "times its frames",
     "tools/animate.py": "draws its pictures",
     "tools/draw_icons.py": "draws with its balls and cloth",
+    "tools/lab_pictures.py": "draws its pictures",
     "tools/readme_pictures.py": "draws its pictures",
     "tests/rules/test_cushions_that_count.py": "its counters count as the rules do",
 }

@@ -14,6 +14,9 @@ from .text_line import TextLine
 STATES = ("idle", "hover", "focused", "invalid", "disabled")
 UNIT_COLUMN = 28
 
+PATH = "/"
+"""What stands between folders."""
+
 
 def field(
     surface: pygame.Surface,
@@ -146,7 +149,19 @@ def hint(
         mark = "!" if error else "i"
         type_.draw(surface, mark, (centre[0] + 0.5, baseline), 11, theme.PANEL, "centre")
         left += round(18 * s)
-    shown = type_.fitted(string, 13, rect.right - round(6 * s) - left)
+    ink, room = sign or theme.TEXT_SOFT, rect.right - round(6 * s) - left
     middle = rect.centery + type_.cap(13) / 2
-    type_.draw(surface, shown, (left, middle), 13, sign or theme.TEXT_SOFT)
+    if PATH in string and type_.width(string, 13) > room:
+        for k, line in enumerate(_halves(string, type_, room)):
+            base = rect.centery + type_.cap(11) / 2 + (k - 0.5) * 15 * s
+            type_.draw(surface, line, (left, base), 11, ink)
+        return rect
+    type_.draw(surface, type_.fitted(string, 13, room), (left, middle), 13, ink)
     return rect
+
+
+def _halves(string: str, type_: Type, room: float) -> tuple[str, str]:
+    """A text with a path in it as two lines, cut where a word or a folder ends."""
+    ends = [k for k, c in enumerate(string, 1) if c in f" {PATH}"]
+    cut = max((k for k in ends if type_.width(string[:k], 11) <= room), default=len(string))
+    return type_.fitted(string[:cut], 11, room), type_.fitted(string[cut:], 11, room)

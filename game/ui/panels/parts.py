@@ -17,6 +17,7 @@ from game.session.action import Action
 from game.session.notice import Notice
 from game.session.session import Session
 from game.table.own_table import is_own
+from game.ui.names import scene_name
 from game.ui.sight import Place, Sight
 from game.ui.table.looks import ball_words
 
@@ -179,6 +180,7 @@ def _noticed(notice: Notice, session: Session, w: dict[str, str]) -> str:
     names = {"law": w[f"law.{session.law}"], "engine": w[f"engine.{session.engine}"]}
     names["level"] = w.get(f"set.level.{notice.about}", "")
     names["ball"] = ball_words(notice.about, w) if notice.about else ""
+    names["about"] = notice.about
     return w[f"notice.{notice.key}"].format(*notice.about.split(), **names)
 
 
@@ -212,7 +214,7 @@ def _hint_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pyga
 def badge(session: Session, w: dict[str, str]) -> tuple[str, str]:
     """Engine and laws in use, and the table."""
     key = "own" if is_own(session.table) else session.table
-    table = w.get("table." + key) or w["position." + key]
+    table = w.get("table." + key) or scene_name(key, w, session.language)
     if getattr(session.world.cushion_law, "creates_energy", False):
         table = f"{w['law.creates']} · {table}"
     return f"{w['engine.' + session.engine]} · {w['law.' + session.law]}", table

@@ -24,6 +24,7 @@ from . import (
     aim_panel,
     asked_card,
     drill_words,
+    graphs,
     nominate,
     rack_words,
     score_plates,
@@ -111,6 +112,8 @@ def _result_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> py
 
 def _log_key(sight: Sight) -> Hashable:
     session = sight.session
+    if sight.settings.graphs:
+        return graphs.key(sight)
     head = session.timeline.passed, session.timeline.at is None
     return session.shots, session.began, len(session.world.log), head, sight.settings.both
 
@@ -177,6 +180,8 @@ def _log_place(sight: Sight, rect: pygame.Rect) -> tuple[int, int]:
 
 
 def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
+    if sight.settings.graphs:
+        return graphs.draw(surface, rect, sight)
     rows, title = (
         log_rows(sight.session, sight.words, sight.settings.colours),
         sight.words["events"],
@@ -189,7 +194,9 @@ def _log_draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygam
     letters = sight.settings.colours == "safe"
     cards.log(surface, rect, sight.type, title, rows, current, letters, first=top)
     at = (rect.right - 12 * sight.layout.s, rect.y + 23 * sight.layout.s)
-    sight.type.draw(surface, sight.words["events.both"], at, 12, TEXT_SOFT, "right")
+    both = sight.type.draw(surface, sight.words["events.both"], at, 12, TEXT_SOFT, "right")
+    at = (both.x - 14 * sight.layout.s, at[1])
+    sight.type.draw(surface, sight.words["graphs.title"], at, 12, TEXT_SOFT, "right")
     return rect
 
 
@@ -199,9 +206,15 @@ def _with_second(rows: list[cards.LogRow], others: list[cards.LogRow]) -> list[c
 
 
 def _log_touch(at: Place, rect: pygame.Rect, sight: Sight) -> Action | None:
-    """Show the moment of a row; the head of the list adds the other language."""
+    """Show the moment of a row; the head of the list has the graphs, and the other language."""
+    if sight.settings.graphs:
+        return graphs.touch(at, rect, sight)
+    if not sight.pointer.pressing:
+        return None
     if at[1] < cards.log_row(rect, sight.layout.s, 0).y:
-        return Action("both")
+        both = rect.right - 19 * sight.layout.s - sight.type.width(sight.words["events.both"], 12)
+        graphed = sight.type.width(sight.words["graphs.title"], 12) + 14 * sight.layout.s
+        return Action("graphs" if both - graphed <= at[0] < both else "both")
     times, (_, top) = _log_times(sight.session), _log_place(sight, rect)
     for place, time in enumerate(times[top : top + cards.log_rows(rect, sight.layout.s)]):
         if cards.log_row(rect, sight.layout.s, place).collidepoint(at):
@@ -245,6 +258,6 @@ def shot_parts(layout: Layout) -> list[Panel]:
         *aim_panel.parts(layout),
         asked_card.part(layout),
         Panel("result", layout.result, _result_look, _result_draw, mode="after"),
-        Panel("log", layout.log, _log_key, _log_draw, _log_touch, mode="after"),
+        Panel("log", layout.log, _log_key, _log_draw, _log_touch, True, mode="after"),
         Panel("table", layout.table, *table, drags=True, wheel=drag_aim.wheel),
     ]

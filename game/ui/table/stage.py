@@ -25,6 +25,7 @@ from .furniture import falls_into, furnished, holes
 from .looks import kind_of, looks_of
 from .orientations import Orientations
 from .over import Over
+from .rival_lines import Rivals
 from .sketch import Sketch
 from .trail import Trail
 
@@ -52,7 +53,7 @@ class Stage:
         self.base, wells = furnished(layout, session.world)
         balklines.draw(self.base, layout, session)
         self.lines = self.base.copy()
-        self.settings, self.sketch = settings, Sketch()
+        self.settings, self.sketch, self.rivals = settings, Sketch(), Rivals()
         kind, radii = kind_of(session.world), [ball.radius for ball in session.world.balls]
         self.looks = looks_of(session.world, settings.colours)
         cloth, many = FINISHES[kind].cloth, kind != "carom"
@@ -131,9 +132,11 @@ class Stage:
     def _draw_lines(self, session: Session) -> list[pygame.Rect]:
         """Redraw what lies under the balls if it is not what it was."""
         aids = self.settings.aids
+        compare = self.settings.compare
         key = (
             marks.key(session, aids), self._fanned(session), self.sketch.key(session),
             self.diamonds.key(session, self.settings.diamonds), zone_marks.key(self.trainer),
+            self.rivals.key(session, compare),
         )  # fmt: skip
         if key == self._under:
             grown = self.trail.draw(self.lines, self.layout, session, self.looks)
@@ -150,6 +153,7 @@ class Stage:
         self._marked += self.diamonds.draw(self.lines, self.layout, session)
         self._marked += self._labels(session)
         self._marked += self.sketch.draw(self.lines, self.layout, session)
+        self._marked += self.rivals.draw(self.lines, self.layout, session, compare)
         self.lines.set_clip(None)
         self.trail.undrawn()
         self._marked += self.trail.draw(self.lines, self.layout, session, self.looks)

@@ -1,0 +1,49 @@
+"""A shot as files: its data and a picture, in a folder of the user's, each written whole."""
+
+from __future__ import annotations
+
+from itertools import count
+from pathlib import Path
+
+import danggu
+from physics import World, whole_files
+
+from . import user_files
+
+FOLDER = "exports"
+
+
+def write(folder: Path | None, world: World, began: float, picture: bytes) -> Path:
+    """Write the shot that began then, world seconds, as CSV, and a picture (PNG) beside it.
+
+    Returns the file of the data; its name has the first number that is free. OSError if either
+    cannot be written: then neither is there.
+    """
+    if folder is None:
+        raise OSError("there is no home folder")
+    home = folder / FOLDER
+    data = danggu.labs.samples(world, begin=began).encode()
+    with user_files.alone(home / "any"):
+        names = (home / f"shot-{n:03}" for n in count(1))
+        name = next(n for n in names if not any(map(Path.exists, files(n))))
+        table, image = files(name)
+        whole_files.replace(table, data)
+        try:
+            whole_files.replace(image, picture)
+        except OSError:
+            table.unlink(missing_ok=True)
+            raise
+    return table
+
+
+def files(name: Path) -> tuple[Path, Path]:
+    """The two files of a shot."""
+    return name.with_suffix(".csv"), name.with_suffix(".png")
+
+
+def shortly(path: Path) -> str:
+    """A path with a sign for the user's home."""
+    try:
+        return str(Path("~") / path.relative_to(Path.home()))
+    except (ValueError, RuntimeError):
+        return str(path)
