@@ -75,7 +75,9 @@ def main(arguments: list[str] | None = None) -> int:
     failed = sum(not tried(name, check) for name, check in static())
     if not options.static:
         with TemporaryDirectory() as folder:
-            failed += sum(not tried(name, check) for name, check in built(Path(folder), chosen))
+            out = options.keep.resolve() if options.keep else Path(folder) / "dist"
+            checks = built(Path(folder), out, chosen)
+            failed += sum(not tried(name, check) for name, check in checks)
     print(f"{failed} failed" if failed else "fit for release")
     return failed
 
@@ -89,6 +91,7 @@ def parser() -> argparse.ArgumentParser:
         "--python", action="append", choices=[f"3.{minor}" for minor in pythons.MINORS],
         help="try with this one; more than once for more (all that are here)",
     )  # fmt: skip
+    made.add_argument("--keep", type=Path, help="a folder for sdist and wheel (not kept)")
     return made
 
 
@@ -154,9 +157,13 @@ def clean_tree() -> str:
 # -- what can be run --------------------------------------------------------------------------
 
 
-def built(work: Path, chosen: dict[str, Path | None]) -> Iterator[tuple[str, Callable[[], str]]]:
-    """(name, check) of what is built in the folder; later ones need the first."""
-    out = work / "dist"
+def built(
+    work: Path, out: Path, chosen: dict[str, Path | None]
+) -> Iterator[tuple[str, Callable[[], str]]]:
+    """(name, check) of what is built in `out`; later ones need the first."""
+    out.mkdir(parents=True, exist_ok=True)
+    if old := [*out.glob("danggu-*")]:
+        raise SystemExit(f"{old[0]} is from before: remove it")
     yield "sdist and wheel", partial(packed, work, out)
     if not [*out.glob("*.whl")]:
         return
