@@ -6,7 +6,6 @@ that this package knows too. Both then mean the same shot, and one of them is ne
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from math import inf, isnan, nan
 from random import Random
 from statistics import median
 from typing import Any, NamedTuple
@@ -18,7 +17,7 @@ from .timing import in_turns
 
 RIGHT = 1e-3  # m: as far as a ball may be from where it rests in truth, with the same pocketed
 MANY = 200  # shots of a compiled batch
-Fates = list[complex | None]  # where each ball rests, or None: pocketed; [] if there was an error
+Fates = list[complex | None]  # where each ball rests, or None: pocketed
 
 
 class Geometry(NamedTuple):
@@ -111,9 +110,7 @@ def truth(world: World) -> Fates:
 
 
 def error(found: Fates, true: Fates) -> float:
-    """m: the worst of the balls; inf if others were pocketed, NaN if the shot was not played."""
-    if not found:
-        return nan
+    """m: the worst of the balls; inf if others were pocketed."""
     if [p is None for p in found] != [q is None for q in true]:
         return float("inf")
     pairs = zip(found, true, strict=True)
@@ -164,7 +161,7 @@ def section(
     costs = in_turns(runs, rounds)
     rows, numbers = [], []
     for who in ("exact, interpreted", "exact, compiled", peer.name):
-        errors = sorted(off[who if who in off else "exact, interpreted"], key=_last)
+        errors = sorted(off[who if who in off else "exact, interpreted"])
         shots = len(strokes) * (MANY if who == "exact, compiled" else 1)
         right = sum(e < RIGHT for e in errors)
         rows.append([name, who, duration(costs[who].least / shots), f"{right} of {len(errors)}",
@@ -178,11 +175,5 @@ def many(batches: list[Any]) -> None:
         simulate_many(world, layout[0][0], [shot] * MANY, compiled=True)
 
 
-def _last(error: float) -> float:
-    return inf if isnan(error) else error
-
-
 def _length(metres: float) -> str:
-    if isnan(metres):
-        return "raised an error"
     return "others pocketed" if metres == float("inf") else f"{figure(metres, 2)} m"

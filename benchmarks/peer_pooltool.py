@@ -106,10 +106,7 @@ def pool() -> Rival:
         system = pooltool.System(
             table=table.copy(), balls=balls, cue=pooltool.Cue(cue_ball_id=struck)
         )
-        try:
-            pooltool.simulate(system, engine=engine, inplace=True)
-        except ValueError:  # of 0.6.0: no time at which the balls that meet are apart
-            return []
+        pooltool.simulate(system, engine=engine, inplace=True)
         states = [b.state for b in system.balls.values()]
         return [None if s.s == POCKETED else _flat(s.rvw[0]) for s in states]
 

@@ -105,16 +105,18 @@ function show() {
   moment();
 }
 
+const named = (name) => words().names[name] ?? name;
+
 function restRow([x, y], k) {
   const row = document.createElement("tr"), name = table.table.balls[k][0];
-  row.append(cell(name), ...(state.result.gone[k] ? [cell(words().gone), cell("")] : [cell(x, true), cell(y, true)]));
+  row.append(cell(named(name)), ...(state.result.gone[k] ? [cell(words().gone), cell("")] : [cell(x, true), cell(y, true)]));
   return row;
 }
 
 function eventRow([time, kind, balls, wall, closing]) {
   const row = document.createElement("tr");
   row.append(cell(time.toFixed(4), true), cell(words().events[kind] ?? kind),
-    cell([...balls, ...(wall ? [wall] : [])].join(" · ")), cell(closing ? closing.toFixed(3) : "", true));
+    cell([...balls, ...(wall ? [wall] : [])].map(named).join(" · ")), cell(closing ? closing.toFixed(3) : "", true));
   return row;
 }
 

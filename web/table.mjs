@@ -68,11 +68,14 @@ export class Table {
     this.around(table.length / 2 + 0.045, table.width / 2 + 0.045);
     pen.fillStyle = "#0d3a5a";
     pen.fill();
-    for (const [x, y, radius] of table.pockets) this.disc(x, y, radius * 1.06, "#07090c");
     pen.fillStyle = cloth;
     this.line(table.outline);
     pen.fill();
+    pen.save();  // a side pocket's hole ends at its leather, inside the rail
+    this.around(table.length / 2 + RAIL - 0.025, table.width / 2 + RAIL - 0.025);
+    pen.clip();
     for (const [x, y, radius] of table.pockets) this.disc(x, y, radius, "#07090c");
+    pen.restore();
     for (const [x, y] of table.spots) this.disc(x, y, 0.006, "#ffffff44");
     if (table.kind === "pool" && table.line !== null) {
       pen.strokeStyle = "#ffffff22"; pen.lineWidth = 1;
@@ -91,7 +94,7 @@ export class Table {
 
   paths({ legs, end }, time) {
     this.table.balls.forEach(([name], k) => {
-      for (const [until, alpha] of [[end, "45"], [Math.min(time, end), "e0"]]) {
+      for (const [until, alpha] of [[end, "70"], [Math.min(time, end), "e0"]]) {
         const points = path(legs[k], until);
         if (points.length < 2) continue;
         this.pen.strokeStyle = inkOf(name) + alpha;
