@@ -1,9 +1,9 @@
 // The page: numbers in, the whole shot out; Python runs in here, and the page only draws.
 import { loadPyodide } from "./pyodide/pyodide.mjs";
 import { drawGraph } from "./graph.mjs";
-import { stateAt } from "./motion.mjs";
 import { Table } from "./table.mjs";
-import { WORDS } from "./words.mjs";
+
+const WORDS = await (await fetch("words.json")).json();
 
 const get = (id) => document.getElementById(id);
 const RANGES = { speed: [0.1, 10, 0.1], angle: [-180, 180, 0.1], follow: [-10, 10, 0.1], masse: [-6, 6, 0.1], side: [-10, 10, 0.1] };

@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 PAGES = [ROOT / "README.md", *sorted(DOCS.glob("*.md"))]
-ROOMS = "physics|danggu|game|benchmarks|tests|tools|docs|assets"
+ROOMS = "physics|danggu|game|benchmarks|tests|tools|docs|assets|web"
 SOURCES = [p for room in ROOMS.split("|") for p in sorted((ROOT / room).rglob("*.py"))]
 
 
