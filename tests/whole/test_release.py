@@ -1,6 +1,7 @@
 """What stands before a release: versions, changelog, and what is built, installed and tried."""
 
 import json
+import os
 import re
 import sys
 import tomllib
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from physics import binding
 from tools import browser, building, pythons, release, standalone
 
 ROOT = Path(__file__).parents[2]
@@ -120,6 +122,13 @@ def test_the_standalone_takes_along_what_is_loaded_by_name():
     collected = {said[k + 1] for k, word in enumerate(said) if word == "--collect-submodules"}
     assert {"physics", "game", "danggu.rules", "danggu.players"} <= collected
     assert "freeze_support()" in standalone.LAUNCHER
+
+
+def test_the_standalone_has_the_source_of_the_kernel_which_fits_load_again():
+    said = standalone.options(Path("out"), ROOT)
+    there, _, inside = said[said.index("--add-data") + 1].rpartition(os.pathsep)
+    assert Path(there, "calendar.py").exists()
+    assert inside == binding.FOLDER.relative_to(ROOT).as_posix()
 
 
 def test_no_workflow_has_a_secret_or_publishes():
