@@ -33,6 +33,23 @@ const played = await page.evaluate((asked) => asked.map((one) => window.lab.play
 await page.fill("#number-speed", "2.5");
 await page.click("#play");
 await page.waitForFunction(() => Number(document.getElementById("time").value) > 0.2, null, { timeout: 20000 });
+const box = await page.locator("#table").boundingBox();  // 2.84 m wide with its rails, for 2.54 m of cloth
+const at = (x, y) => [box.x + box.width / 2 + (x * box.width) / 2.84, box.y + box.height / 2 - (y * box.width) / 2.84];
+async function drag(from, to) {
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move(...to, { steps: 5 });
+  await page.mouse.up();
+}
+await drag(at(0, 0.5), at(-0.6, 0.5));
+const angle = await page.inputValue("#number-angle");
+if (Math.abs(angle - 90) > 2) faults.push(`a drag to straight above the cue ball aims at ${angle}°`);
+await drag(at(-0.2, 0.3), at(0.6, 0.02));
+const wrong = await page.textContent("#status.wrong");
+if (!wrong?.includes("overlap")) faults.push(`a ball on another is ${wrong}`);
+if (await page.isEnabled("#play")) faults.push("what cannot be played can be played");
+await page.click("#again");
+if (!(await page.isEnabled("#play"))) faults.push("no way back from what cannot be played");
 await page.click("#language");
 const title = await page.textContent("h1");
 if (!title.includes("실험실")) faults.push(`the title is ${title} in Korean`);
