@@ -53,8 +53,8 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--out", type=Path, default=ROOT / "dist", help="where it goes (dist)")
     out = parser.parse_args(arguments).out.resolve()
     try:
-        with TemporaryDirectory() as folder:
-            folder = built(Path(folder), out)
+        with TemporaryDirectory() as work:
+            folder = built(Path(work), out)
         return report(folder)
     except FailedError as error:
         print(error, file=sys.stderr)
@@ -92,9 +92,9 @@ def slim(folder: Path) -> None:
     inside, strip = folder / "_internal", shutil.which("strip")
     for path in [path for pattern in THEIRS for path in inside.glob(pattern)]:
         path.unlink()
-    own = [*inside.glob("libpython*"), *inside.glob("python3*/lib-dynload/*.so")]
-    for path in own if strip else []:
-        run([strip, "--strip-unneeded", path], folder)
+    if strip:
+        for path in (*inside.glob("libpython*"), *inside.glob("python3*/lib-dynload/*.so")):
+            run([strip, "--strip-unneeded", path], folder)
 
 
 def program(folder: Path) -> Path:
