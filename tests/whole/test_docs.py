@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
-PAGES = [ROOT / "README.md", *sorted(DOCS.glob("*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.glob("*.md"))]
 ROOMS = "physics|danggu|game|benchmarks|tests|tools|docs|assets|web"
 SOURCES = [p for room in ROOMS.split("|") for p in sorted((ROOT / room).rglob("*.py"))]
 
