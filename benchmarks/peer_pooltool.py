@@ -2,6 +2,7 @@
 pool on its table, by the laws that it shares with this package."""
 
 from collections.abc import Callable
+from functools import cache
 from importlib.metadata import version
 from typing import Any
 
@@ -68,7 +69,7 @@ def cut(shot: Cut) -> complex:
         "object": ball("object", middle, 0j, (0.0, 0.0, 0.0), **kind),
     }
     table = system(balls, 2 * CENTRE, 2 * CENTRE)
-    pooltool.simulate(table, inplace=True, max_events=3)
+    pooltool.simulate(table, engine=_plain_engine(), inplace=True, max_events=3)
     for event in table.events:
         if event.event_type == pooltool.EventType.BALL_BALL:
             after = next(agent for agent in event.agents if agent.id == "object").final
@@ -116,13 +117,16 @@ def _flat(p: Any) -> complex:
     return complex(float(p[0]), float(p[1]))
 
 
+@cache
 def _plain_engine() -> Any:
-    """Its engine with mirrors as cushions."""
+    """Its engine with smooth balls, and mirrors as cushions."""
     from pooltool.physics.engine import PhysicsEngine
+    from pooltool.physics.resolve.ball_ball.frictionless_elastic import FrictionlessElastic
     from pooltool.physics.resolve.ball_cushion import unrealistic
     from pooltool.physics.resolve.resolver import Resolver
 
     resolver = Resolver.default()
+    resolver.ball_ball = FrictionlessElastic()
     resolver.ball_linear_cushion = unrealistic.UnrealisticLinear(restitution=False)
     resolver.ball_circular_cushion = unrealistic.UnrealisticCircular(restitution=False)
     return PhysicsEngine(resolver=resolver)

@@ -10,8 +10,8 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
-PAGES = [ROOT / "README.md", *sorted(DOCS.glob("*.md"))]
-ROOMS = "physics|danggu|game|benchmarks|tests|tools|docs|assets"
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.glob("*.md"))]
+ROOMS = "physics|danggu|game|benchmarks|tests|tools|docs|assets|web"
 SOURCES = [p for room in ROOMS.split("|") for p in sorted((ROOT / room).rglob("*.py"))]
 
 
