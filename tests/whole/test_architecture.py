@@ -174,7 +174,7 @@ def test_whatever_is_imported_is_required_by_an_extra_at_least():
     required = {name for line in lines for name in re.findall(r"\w+", line.split(">")[0])}
     parts = (*PACKAGES, "assets", "benchmarks", "tests", "docs")  # tools say it themselves
     paths = [path for part in parts for path in (ROOT / part).rglob("*.py")]
-    used = set().union(*map(imported, paths)) - sys.stdlib_module_names - set(parts)
+    used = set().union(*map(imported, paths)) - sys.stdlib_module_names - {*parts, "tools"}
     used -= {path.stem for path in paths}
     used -= {"pooltool"}  # its own requirements disagree with ours (docs/benchmarks.md, "Peers")
     assert {{"PIL": "pillow"}.get(name, name) for name in used} <= required
