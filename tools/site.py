@@ -22,6 +22,7 @@ INDEX = re.compile(  # of a letter, but not in code, links and indented lines
     r"(?ms)(^```.*?^```|`[^`]*`|\]\([^)]*\)|^    .*?$)"
     r"|(?<![\w/])([A-Za-zα-ω])_([a-zθφ]{1,2}|\d)(?!\w)"
 )
+ROW = re.compile(r"(?m)^\| \[([^]]*)\]\((\w+)\.md\) \|")
 PICTURES = (".png", ".webp", ".svg", ".gif")
 OWN = "docs/"
 ELSEWHERE = {"CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md"}
@@ -139,6 +140,8 @@ def on_page_markdown(markdown: str, page: Any, config: Any, files: Files) -> str
         markdown = relinked(markdown, OWN + page.file.src_uri)
     if page.file.src_uri == "index.md":
         page.meta["hide"] = ["navigation", "toc"]
+    if page.file.src_uri == "gallery/index.md":
+        markdown = ROW.sub(r"| [![](\2-1.png){ width=230 }](\2.md) | **[\1](\2.md)**<br>", markdown)
     if page.file.src_uri == "physics.md":
         markdown = INDEX.sub(lambda found: found[1] or f"{found[2]}<sub>{found[3]}</sub>", markdown)
     return re.sub(r"(?m)^```python\n(?=>>>)", "```pycon\n", markdown)

@@ -92,8 +92,8 @@ ax.legend();
 
 # %% [markdown]
 # A straight line on this scale is the mark of chaos. The engine itself errs by 1e-16 of a metre an
-# event: it, too, is foretold by this picture to be right for some thirty hits, and no longer
-# ([accuracy](../accuracy.md)). A shot in play has ten.
+# event: by the same law it is right for about a dozen hits of balls, and no longer
+# ([accuracy](../accuracy.md)). A shot in play has three or four.
 #
 # **Try:** which of the five numbers matters most? `sensitivity(world, "white", SHOT,
 # by=["angle"])`, and so on; names such as `"cloth.slide"` and `"cushion.e"` work, too.

@@ -1,7 +1,7 @@
 # %% [markdown]
 # # Cushion laws side by side
 #
-# What a cushion does to a spinning ball is the least known law of billiards. The engine has five
+# What a cushion does to a spinning ball is the least known law of billiards. The engine has four
 # answers, from the thesis that this project began with to a model that integrates friction all
 # through the hit. One shot shows how much the choice matters.
 

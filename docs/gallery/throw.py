@@ -3,7 +3,7 @@
 #
 # Aim a ball at a pocket along the line of centres, and it goes a little past: the cue ball rubs
 # over it and drags it along. Players call that throw. It depends on the cut, on the speed and on
-# the spin, and at worst it is six degrees, a ball's width in half a metre.
+# the spin, and at worst it is five degrees, a ball's width in sixty centimetres.
 
 # %%
 import matplotlib.pyplot as plt
@@ -40,9 +40,9 @@ right.set(title="Rolling", xlabel="cut, degrees")
 left.legend();
 
 # %% [markdown]
-# At a cut of 30° a soft stun shot throws five degrees, a firm one three. Below the peak the balls
-# gear: friction has stopped the rub altogether, and then throw only depends on the cut. That is
-# Alciatore's theory (TP A.14), and his measurements.
+# At a cut of 30° a soft stun shot throws five degrees, a firm one less than two. Below the peak the
+# balls gear: friction has stopped the rub altogether, and then throw only depends on the cut. That
+# is Alciatore's theory (TP A.14), and his measurements.
 #
 # ## By the side
 # With *outside* english the cue ball's surface moves along with the red one's. If it rolls off it

@@ -41,6 +41,23 @@ def test_a_docstring_becomes_a_list_of_names_and_a_session():
     assert as_markdown("ValueError: said so.") == "ValueError: said so."
 
 
+def test_links_of_the_repository_become_links_of_the_site():
+    pytest.importorskip("mkdocs")
+    from tools.site import relinked
+
+    for path, link, there in (
+        ("docs/laws.md", "physics.md#cloth", "physics.md#cloth"),
+        ("docs/howto/aim.md", "../gallery/throw.py", "../gallery/throw.md"),
+        ("docs/gallery/learning.py", "../learning.py", "../source/docs/learning.py.md"),
+        ("docs/physics.md", "../physics/wall.py", "source/physics/wall.py.md"),
+        ("docs/index.md", "../CHANGELOG.md", "changelog.md"),
+        ("CHANGELOG.md", "docs/rules.md", "rules.md"),
+        ("docs/benchmarks.md", "../benchmarks/results", "source/benchmarks/results/index.md"),
+        ("docs/laws.md", "https://example.org/x.md", "https://example.org/x.md"),
+    ):
+        assert relinked(f"[words]({link})", path) == f"[words]({there})"
+
+
 @pytest.mark.docs
 def test_the_site_is_built_without_a_warning_and_without_the_network(tmp_path):
     pytest.importorskip("mkdocs")
