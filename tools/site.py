@@ -7,6 +7,7 @@ that a page links to and that is no page: its text, to read.
 import posixpath
 import re
 import sys
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -100,7 +101,7 @@ def on_files(files: Files, config: Any) -> Files:
     made = {ICON: (ROOT / ICON).read_bytes()}
     notebooks = sorted(path.relative_to(ROOT).as_posix() for path in (ROOT / GALLERY).glob("*.py"))
     for path in notebooks:
-        made |= _notebook(path)
+        made |= _notebook(path, (ROOT / path).read_text(encoding="utf-8"))
     waiting = [OWN + file.src_uri for file in files.documentation_pages()] + notebooks
     waiting += [path for path in ELSEWHERE if (ROOT / path).exists()]
     for path in waiting:  # grows
@@ -123,10 +124,11 @@ def _outside(path: str) -> dict[str, None]:
     return dict.fromkeys(p for p in found if home(p).startswith("source/"))
 
 
-def _notebook(path: str) -> dict[str, Any]:
+@cache  # for `mkdocs serve`, which builds again after each edit of any page
+def _notebook(path: str, script: str) -> dict[str, Any]:
     """The files of the site that are made of a script: its page, its pictures, its .ipynb."""
     page = home(path).removesuffix(".md")
-    done = [*notebook.run((ROOT / path).read_text(encoding="utf-8"))]
+    done = [*notebook.run(script)]
     text, pictures = notebook.page(done, posixpath.basename(page))
     text = relinked(text, path)
     text += f"\n[As a notebook, to download]({posixpath.basename(page)}.ipynb){{ .md-button }}\n"

@@ -10,10 +10,11 @@ import gymnasium
 import matplotlib.pyplot as plt
 import numpy as np
 
-import danggu.envs  # noqa: F401  (registers the games)
+from danggu.envs import IDS
 
 TABLES, UPDATES = 1024, 150  # quick: 4, 2
 
+print(*IDS)  # which importing danggu.envs has registered
 env = gymnasium.make_vec(
     "danggu/StraightRail-v0", num_envs=TABLES, noise="club", autoreset_mode="SameStep"
 )
@@ -26,9 +27,13 @@ env.single_observation_space, env.single_action_space
 # often than the rest.
 
 # %%
+def features(seen):
+    """What the policy is linear in: places, their squares, and one."""
+    return np.hstack([seen, seen**2, np.ones((len(seen), 1))])
+
+
 chance = np.random.default_rng(0)
 seen, _ = env.reset(seed=0)
-features = lambda seen: np.hstack([seen, seen**2, np.ones((len(seen), 1))])  # noqa: E731
 weights, spread = np.zeros((features(seen).shape[1], 5)), np.full(5, 0.6)
 shares, first = [], None
 for update in range(UPDATES):
