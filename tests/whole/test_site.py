@@ -18,16 +18,24 @@ MODULES = {
     "physics.aim": aim, "physics.laws": laws, "physics.scenes": scenes, "physics.store": store,
     "physics.tables": tables, "physics.tracks": tracks,
 }  # fmt: skip
+REFERENCE = "".join(page.read_text("utf-8") for page in (ROOT / "docs" / "api").glob("*.md"))
 
 
 def test_every_public_name_is_in_the_reference_and_none_is_there_twice():
-    text = "".join(page.read_text(encoding="utf-8") for page in (ROOT / "docs/api").glob("*.md"))
-    found = re.findall(r"(?m)^::: (\S+)$", text)
+    found = re.findall(r"(?m)^::: (\S+)$", REFERENCE)
     public = {f"{home}.{name}" for home, module in MODULES.items() for name in module.__all__}
     public -= {*MODULES, "physics.Track"}  # a module of its own has that
     assert {*found} == public
     assert len(found) == len({*found})
     assert {*danggu.__all__} - {*physics.__all__} == {"players", "rules"}  # as the page says
+
+
+def test_the_members_that_the_reference_chooses_are_there():
+    chosen = re.findall(r"^::: physics\.(\w+)\n +options:\n +members: \[([^]]*)\]", REFERENCE, re.M)
+    assert {name for name, _ in chosen} == {"World", "Cloth", "Ball", "Log"}
+    for name, members in chosen:
+        missing = {*re.split(r",\s+", members)} - {*dir(getattr(physics, name))}
+        assert missing == set(), name
 
 
 def test_a_docstring_becomes_a_list_of_names_and_a_session():
