@@ -78,5 +78,4 @@ for cause, energy in ledger(after.log).lost().items():
 after
 
 # %% [markdown]
-# **Try:** new cloth is `slide=0.15`, old cloth 0.25: `world.cloth = replace(world.cloth,
-# slide=0.15)`.
+# **Try:** new cloth is `slide=0.15`, old cloth 0.25: `world.cloth = Cloth(slide=0.15)`.

@@ -12,7 +12,8 @@ ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 PAGES = [ROOT / "README.md", *sorted(DOCS.rglob("*.md"))]
 ALONE = ("tables", "physics", "laws", "environments", "rules")  # run by tests of their own
-SESSIONS = [p for p in PAGES[1:] if ">>> " in p.read_text("utf-8") and p.stem not in ALONE]
+OTHERS = sorted({*DOCS.rglob("*.md")} - {DOCS / f"{name}.md" for name in ALONE})
+SESSIONS = [page for page in OTHERS if ">>> " in page.read_text(encoding="utf-8")]
 ROOMS = "physics|danggu|game|benchmarks|tests|tools|docs|assets"
 SOURCES = [p for room in ROOMS.split("|") for p in sorted((ROOT / room).rglob("*.py"))]
 
