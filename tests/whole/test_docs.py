@@ -10,7 +10,10 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.glob("*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(DOCS.rglob("*.md"))]
+ALONE = ("tables", "physics", "laws", "environments", "rules")  # run by tests of their own
+OTHERS = sorted({*DOCS.rglob("*.md")} - {DOCS / f"{name}.md" for name in ALONE})
+SESSIONS = [page for page in OTHERS if ">>> " in page.read_text(encoding="utf-8")]
 ROOMS = "physics|danggu|game|benchmarks|tests|tools|docs|assets|web"
 SOURCES = [p for room in ROOMS.split("|") for p in sorted((ROOT / room).rglob("*.py"))]
 
@@ -39,6 +42,27 @@ def test_the_examples_of_the_physics_are_what_they_say():
     assert (failed, tried) == (0, 24)
 
 
+def named(page):
+    return str(page.relative_to(ROOT))
+
+
+@pytest.mark.parametrize("page", SESSIONS, ids=named)
+def test_the_examples_of_a_page_are_what_they_say(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # some write files
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    pyplot.switch_backend("agg")
+    failed, tried = doctest.testfile(str(page), module_relative=False)
+    pyplot.close("all")
+    assert failed == 0
+    assert tried > 0
+
+
+@pytest.mark.parametrize("page", PAGES, ids=named)
+def test_a_block_of_python_on_a_page_is_a_session_that_a_test_runs(page):
+    blocks = re.findall(r"(?m)^```python\n(.*)", page.read_text(encoding="utf-8"))
+    assert [line for line in blocks if not line.startswith(">>> ")] == []
+
+
 SHOWING = [p for p in SOURCES if "physics" in p.parts and ">>> " in p.read_text("utf-8")]
 
 
@@ -54,12 +78,12 @@ def test_the_readme_gives_the_two_commands_that_the_gate_uses():
     readme = (ROOT / "README.md").read_text()
     assert "pip install . && danggu\n" in readme
     assert "pip install -e '.[test]' && python -m tests\n" in readme
-    assert "grep -m1 -F \"pip install -e '.[test]'\" README.md" in (
-        ROOT / ".ci" / "run"
-    ).read_text()
+    assert (
+        "grep -m1 -F \"pip install -e '.[test]'\" README.md" in (ROOT / ".ci" / "run").read_text()
+    )
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+@pytest.mark.parametrize("page", PAGES, ids=named)
 def test_every_link_of_a_page_leads_to_a_file_and_a_heading_that_are_there(page):
     for target in re.findall(r"\]\(([^)\s]+)\)", page.read_text(encoding="utf-8")):
         if "://" in target:
@@ -70,7 +94,7 @@ def test_every_link_of_a_page_leads_to_a_file_and_a_heading_that_are_there(page)
         assert not heading or heading in anchors(there), f"{page.name} links to {target}"
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+@pytest.mark.parametrize("page", PAGES, ids=named)
 def test_every_file_that_a_page_names_is_there(page):
     text = page.read_text(encoding="utf-8")
     named = re.findall(rf"(?<![\w./-])((?:{ROOMS})/[\w/-]+\.[a-z]\w+)", text)
@@ -78,7 +102,7 @@ def test_every_file_that_a_page_names_is_there(page):
     assert [name for name in named if not (ROOT / name).exists()] == []
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+@pytest.mark.parametrize("page", PAGES, ids=named)
 def test_a_page_is_wrapped_but_for_tables_and_what_is_shown(page):
     text = re.sub(r"(?ms)^```.*?^```", "", page.read_text(encoding="utf-8"))
     lines = [line for line in text.splitlines() if not line.startswith(("|", "    ", "!"))]
