@@ -39,6 +39,11 @@ def test_the_examples_of_the_physics_are_what_they_say():
     assert (failed, tried) == (0, 24)
 
 
+def test_the_examples_of_the_players_are_what_they_say():
+    failed, tried = doctest.testfile(str(DOCS / "players.md"), module_relative=False)
+    assert (failed, tried) == (0, 12)
+
+
 SHOWING = [p for p in SOURCES if "physics" in p.parts and ">>> " in p.read_text("utf-8")]
 
 
