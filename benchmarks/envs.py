@@ -20,7 +20,7 @@ STROKES = (40, 400, 2000)  # of each player in each game without pockets; of the
 TRIED = (1, 16, 256)  # actions that are tried before the best is played; 1: at random
 NOISES = (None, "expert", "club")
 COACHED = (1_000, 40_000, 40_000)  # strokes tried by the coach
-ADVISED = (2, 20, 60)  # strokes of the coach in each game without pockets
+ADVISED = (2, 20, 40)  # strokes of the coach in each game without pockets
 POCKETS = ("danggu/EightBall-v0", "danggu/NineBall-v0", "danggu/Snooker-v0")
 
 
