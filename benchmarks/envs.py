@@ -19,8 +19,8 @@ TABLES = (256, 1024, 4096)
 STROKES = (40, 400, 2000)  # of each player in each game without pockets; of the others a tenth
 TRIED = (1, 16, 256)  # actions that are tried before the best is played; 1: at random
 NOISES = (None, "expert", "club")
-COACHED = 40_000  # strokes tried by the coach
-ADVISED = (2, 20, 60)  # strokes of the coach in each game without pockets
+COACHED = (1_000, 40_000, 40_000)  # strokes tried by the coach
+ADVISED = (2, 20, 40)  # strokes of the coach in each game without pockets
 POCKETS = ("danggu/EightBall-v0", "danggu/NineBall-v0", "danggu/Snooker-v0")
 
 
@@ -60,14 +60,14 @@ def rates(name: str, count: int, mode: str, rounds: int) -> tuple[float, float, 
     return count * len(actions) / spent, strokes / spent, within / spent
 
 
-def coached(name: str, noise: str | None, strokes: int) -> tuple[float, float, int]:
+def coached(name: str, noise: str | None, effort: int) -> tuple[float, float, int]:
     """The same of the coach, which knows how large the noise is."""
     env = gymnasium.make(name, noise=noise, limit=50, aim="absolute").unwrapped
     level = {each.key: each for each in LEVELS}[noise or "perfect"]
-    made, rewards, total = 0, [], 0.0
+    made, rewards, total, strokes = 0, [], 0.0, ADVISED[effort]
     env.reset(seed=1)
     for k in range(strokes):
-        _, reward, over, late, info = env.step(_advised(env, level, k))
+        _, reward, over, late, info = env.step(_advised(env, level, k, COACHED[effort]))
         made, total = made + (reward > 0 or info["reason"] == "potted"), total + reward
         if over or late:
             rewards.append(total)
@@ -76,14 +76,14 @@ def coached(name: str, noise: str | None, strokes: int) -> tuple[float, float, i
     return made / strokes, float(np.mean(rewards)) if rewards else total, len(rewards)
 
 
-def _advised(env: Any, level: Level, seed: int) -> Any:
+def _advised(env: Any, level: Level, seed: int, budget: int) -> Any:
     """(5,): the action that is the coach's stroke; one at random where it knows none."""
     hall, action = env.hall, np.random.default_rng(seed).uniform(-1.0, 1.0, 5)
     world = hall.world.copy()
     for k, place in zip(hall.order, hall.places[0].tolist(), strict=True):
         world.balls[k].position = tuple(place)
     given = {"seed": seed, "most": 1}
-    ways = solutions(world, hall.rules, hall.turn_of(0), level, COACHED, **given)
+    ways = solutions(world, hall.rules, hall.turn_of(0), level, budget, **given)
     if ways:
         aim, (slow, fast) = ways[0].aim, np.log(env.setup.pace)
         power = 2.0 * (np.log(aim.speed) - slow) / (fast - slow) - 1.0
@@ -147,8 +147,8 @@ def players(page: Report, effort: int) -> list[list[Any]]:
         "Share of the strokes that score, and in brackets the reward of an episode: an inning, or"
         " with pockets a rack played alone, cut off after 50 strokes. *Random*: actions drawn"
         " evenly. *Best of n*: n of them are tried without noise, and the one that scores most is"
-        f" played. *Coach*: the best stroke of {COACHED:,} that `danggu.players.solutions` tries,"
-        f" knowing the noise; {ADVISED[effort]} strokes of it."
+        f" played. *Coach*: the best stroke of {COACHED[effort]:,} that `danggu.players.solutions`"
+        f" tries, knowing the noise; {ADVISED[effort]} strokes of it."
     )
     lines, rows = [], []
     for name in envs.IDS:
@@ -170,7 +170,7 @@ def _coach_row(name: str, effort: int, rows: list[list[Any]]) -> list[str]:
     """The coach's line of the table; its numbers go into the rows."""
     line = [name.partition("/")[2], "coach"]
     for noise in NOISES:
-        share, reward, episodes = coached(name, noise, ADVISED[effort])
+        share, reward, episodes = coached(name, noise, effort)
         line.append(f"{figure(100 * share)} % ({figure(reward)})")
         rows.append(["player", name, "coach", str(noise), share, reward, episodes])
     return line

@@ -1,5 +1,4 @@
-"""What a stress family is made of: trials, a world and what is done to it, and dice for them.
-"""
+"""What a stress family is made of: trials, a world and what is done to it, and dice for them."""
 
 from cmath import rect
 from collections.abc import Callable

@@ -54,34 +54,42 @@ def solutions(
     world: with the balls at rest, all those of the game; it stays as it is.
     turn: whose stroke it is; `Match.turn` has it.
     level: how well the stroke is carried out.
-    budget: strokes tried, about; None: 160 000 if numba is there (under a second), else 3 000 (a
-    second or two).
+    budget: strokes tried, about; None: 160 000, with pockets 20 000, if numba is there (under a
+    second), else 3 000 (a second or two).
     seed: the outcome depends on it and the other arguments alone, not on time.
     most: ways that are returned at most.
     plies: 2, the positions that a stroke leaves count too, if the budget is 40 000 at least; 1,
     they do not.
-    compiled: by the compiled kernel? None: where numba is installed.
-    ValueError if there is no ball to play with.
+    compiled: by the compiled kernel (ImportError without numba)? None: where numba is installed.
+    ValueError if there is no ball to play with, and for a budget, `most` or plies that is none.
     """
+    _check(budget, most, plies)
     bench, rng = Bench(world, rules, turn, compiled), np.random.default_rng(seed)
     total = budget or (COMPILED if bench.compiled else INTERPRETED)
     if rules.key in KINDS:
-        total = budget or (total // SLOWER if bench.compiled else total)
+        total = budget or (COMPILED // SLOWER if bench.compiled else INTERPRETED)
         return pot_ways(world, rules, turn, level, total, most, bench.compiled, rng)
-    deep = total >= AHEAD
-    drawn, raced, looks = (int(part * total) for part in (TWO if deep else ONE))
+    drawn, raced, looks = (int(part * total) for part in (TWO if total >= AHEAD else ONE))
     found = _drawn(bench, drawn, rng)
     if not len(found.shots):
         return []
     error = level.or_more(LEAST)
     running = Ahead(knockout(bench, found, error, raced, max(most, PATHS), rng))
-    if deep and plies > 1 and not _last(bench, running.field):
+    if plies > 1 and looks and not _last(bench, running.field):
         score = replace(turn, opening=False, score=turn.score + 1)
         then = Bench(world, rules, score, bench.compiled)
         running = looked(running.field, bench, then, _style(then), error, looks, rng)
     rows = _distinct(bench, running, error, most, rng)
     copies = max(1, min(MEASURED, (total - drawn - raced - looks) // len(rows)))
     return [_measured(bench, running, row, level, copies, rng) for row in rows]
+
+
+def _check(budget: int | None, most: int, plies: int) -> None:
+    for name, number in (("budget", 1 if budget is None else budget), ("most", most)):
+        if type(number) is not int or number < 1:
+            raise ValueError(f"solutions {name} must be a whole number above 0, not {number!r:.60}")
+    if plies not in (1, 2):
+        raise ValueError(f"solutions plies must be 1 or 2, not {plies!r:.60}")
 
 
 def _style(bench: Bench) -> Style:

@@ -218,3 +218,14 @@ def test_a_game_with_pockets_is_refused_on_a_table_without() -> None:
     world.add(Ball("cue", at=(0.0, 0.0)))
     with pytest.raises(ValueError, match="pockets"):
         solutions(world, GAMES["9-ball"](), Turn("cue"), EXPERT)
+
+
+@pytest.mark.parametrize(("name", "value"), [("budget", 0), ("most", 0), ("plies", 3)])
+def test_what_cannot_be_asked_for_is_refused_by_name(name: str, value: int) -> None:
+    with pytest.raises(ValueError, match=f"{name} must be .*, not {value}"):
+        solutions(laid("four-ball"), GAMES["four-ball"](), Turn(), EXPERT, **{name: value})
+
+
+def test_the_smallest_budget_finds_nothing_and_fails_at_nothing() -> None:
+    for budget in (1, 2, 10):
+        assert len(found("four-ball", budget=budget)) <= 1
