@@ -37,6 +37,7 @@ CHOSEN: tuple[SettingsRow, ...] = (
     SettingsRow("law", "choice", tuple(LAWS)),
     SettingsRow("engine", "choice", CHOICES["engine"]),
     SettingsRow("aids", "choice", CHOICES["aids"], gap=True),
+    SettingsRow("diamonds", "choice", CHOICES["diamonds"]),
     SettingsRow("colours", "choice", CHOICES["colours"]),
     SettingsRow("still", "switch", SWITCH),
     SettingsRow("sound", "switch", SWITCH, gap=True),
