@@ -117,7 +117,7 @@ def greet(app: App) -> None:
 
 
 def newcomer(app: App) -> bool:
-    """Is it somebody's very first game, in a window that can be seen?"""
+    """Is it the player's very first game, in a window that can be seen?"""
     store, options = app.preferences.store, app.options
     seen = not (windowless() or options.virtual or options.replay)
     first = store is not None and store.path is not None and not store.path.exists()

@@ -27,12 +27,12 @@ CAROM: dict[str, Rules] = {SAGU: Sagu(), THREE_CUSHION: Carom(red_first=False)}
 class Goal(NamedTuple):
     """What a drill asks for.
 
-    kind   "zone": a stroke that is made, with the cue ball in a ring; "row": so many in a row from
-           the same lie; "run": so many in a row from where the balls come to lie; "clear": all
-           balls of `order` down, in so few strokes
-    steps  what is asked for one, two and three stars; not of a zone
-    zone   middle of the rings, in diamonds
-    order  names of the balls to be cleared, each to be hit first in its turn
+    kind: "zone", a stroke that is made, with the cue ball in a ring; "row", so many in a row from
+    the same lie; "run", so many in a row from where the balls come to lie; "clear", all balls of
+    `order` down, in so few strokes.
+    steps: what is asked for one, two and three stars; not of a zone.
+    zone: middle of the rings, in diamonds.
+    order: names of the balls to be cleared, each to be hit first in its turn.
     """
 
     kind: str
@@ -115,12 +115,12 @@ GOALS: dict[str, Goal] = {
 """The goal of each drill."""
 
 
-class Outcome(NamedTuple):
+class DrillOutcome(NamedTuple):
     """What one stroke of a drill came to.
 
-    made  is it a point, or the pot that was asked for?
-    off   how far the cue ball is from the middle of the zone, m; None without a zone
-    done  are all balls that were to be cleared down?
+    made: whether it is a point, or the pot that was asked for.
+    off: how far the cue ball is from the middle of the zone, m; None without a zone.
+    done: whether all balls that were to be cleared are down.
     """
 
     made: bool
@@ -130,7 +130,7 @@ class Outcome(NamedTuple):
 
 def outcome(
     name: str, done: Stroke, lies: Mapping[str, Place], size: tuple[float, float]
-) -> Outcome:
+) -> DrillOutcome:
     """Judge a stroke of a drill.
 
     lies: places of the balls that are left on the table, m, by name; size: its length and width.
@@ -138,15 +138,15 @@ def outcome(
     """
     position, goal = POSITIONS[name], GOALS[name]
     if position.game in CAROM:
-        return Outcome(CAROM[position.game].judge(done, Turn(cue=done.cue)).made)
+        return DrillOutcome(CAROM[position.game].judge(done, Turn(cue=done.cue)).made)
     if goal.kind == CLEAR:
         return _cleared(goal.order, done, lies)
     if goal.kind == RUN:
-        return Outcome(bool(done.down) and not done.lost)
+        return DrillOutcome(bool(done.down) and not done.lost)
     made = _potted(position.way, done)
     if goal.kind == ZONE and done.cue in lies:
-        return Outcome(made, goal.off(lies[done.cue], *size))
-    return Outcome(made)
+        return DrillOutcome(made, goal.off(lies[done.cue], *size))
+    return DrillOutcome(made)
 
 
 def _potted(way: Sequence[str], done: Stroke) -> bool:
@@ -157,8 +157,8 @@ def _potted(way: Sequence[str], done: Stroke) -> bool:
     return done.first[:1] == (first,) and (ball, pocket) in drops and not lost
 
 
-def _cleared(order: Sequence[str], done: Stroke, lies: Mapping[str, Place]) -> Outcome:
+def _cleared(order: Sequence[str], done: Stroke, lies: Mapping[str, Place]) -> DrillOutcome:
     """A stroke at balls in their order: the next one is hit first, and the cue ball stays up."""
     left = [ball for ball in order if ball in lies or ball in done.gone]
     good = not done.lost and bool(left) and done.first[:1] == (left[0],)
-    return Outcome(good, done=good and not any(ball in lies for ball in order))
+    return DrillOutcome(good, done=good and not any(ball in lies for ball in order))

@@ -1,6 +1,6 @@
 """Where a stroke over each diamond leads: the engine plays it on the table at hand, without balls.
 
-Systems of diamonds are tables of such numbers, measured on somebody's table; here they are computed
+Systems of diamonds are tables of such numbers, measured on some table; here they are computed
 for this one: its cloth, its cushions, and the place where the cue ball lies.
 """
 
@@ -29,7 +29,7 @@ from a tip 0.1 R above and 0.4 R beside the centre."""
 ACROSS = {"north": "south", "south": "north", "west": "east", "east": "west"}
 
 
-class Stroke(NamedTuple):
+class DiamondStroke(NamedTuple):
     """What is played over every diamond: speed and spins, m/s.
 
     running  does the side turn over, so that it always runs along the rail?
@@ -42,11 +42,11 @@ class Stroke(NamedTuple):
     running: bool = False
 
 
-FIVE = Stroke(SPEED, FOLLOW * SPEED, 0.0, RUNNING * SPEED, running=True)
+FIVE = DiamondStroke(SPEED, FOLLOW * SPEED, 0.0, RUNNING * SPEED, running=True)
 """The stroke of the corner system."""
 
 
-class Sight(NamedTuple):
+class Diamond(NamedTuple):
     """A diamond, and where the ball meets its third cushion if it is played over it.
 
     at      the diamond, m
@@ -70,7 +70,7 @@ class Sight(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Fan:
+class DiamondFan:
     """The diamonds of the rail that is aimed at.
 
     rail    its name
@@ -78,7 +78,7 @@ class Fan:
     """
 
     rail: str
-    sights: tuple[Sight, ...]
+    sights: tuple[Diamond, ...]
 
     def start(self, *, right: bool) -> tuple[float, float] | None:
         """The corner system's number of the cue ball's place for balls that run this way: first
@@ -105,7 +105,7 @@ def aimed_at(world: World, cue: str, angle: float) -> str:
     return min(found)[1]
 
 
-def fan(world: World, cue: str, rail: str, stroke: Stroke) -> Fan:
+def fan(world: World, cue: str, rail: str, stroke: DiamondStroke) -> DiamondFan:
     """Play a stroke from where the cue ball lies over each diamond of a rail, without other balls.
 
     Engine: the exact one, whatever the world has.
@@ -115,10 +115,11 @@ def fan(world: World, cue: str, rail: str, stroke: Stroke) -> Fan:
     for ball in world.balls:
         if ball.name != cue and not ball.gone:
             take(alone, ball.name)
-    return Fan(rail, tuple(_played(alone, cue, rail, s, stroke) for s in sights(world, rail)))
+    played = (_played(alone, cue, rail, sight, stroke) for sight in sights(world, rail))
+    return DiamondFan(rail, (*played,))
 
 
-def sights(world: World, rail: str) -> list[Sight]:
+def sights(world: World, rail: str) -> list[Diamond]:
     """The diamonds of a rail; not those that a pocket takes the place of."""
     half, long = _half(world), rail in ("north", "south")
     count, out = (8, half[1]) if long else (4, half[0])
@@ -129,7 +130,7 @@ def sights(world: World, rail: str) -> list[Sight]:
     for number in range(count + 1):
         along, beyond = (2 * number / count - 1) * half[0 if long else 1], sign * (out + BEHIND)
         if number not in taken:
-            found.append(Sight((along, beyond) if long else (beyond, along), number))
+            found.append(Diamond((along, beyond) if long else (beyond, along), number))
     return found
 
 
@@ -141,7 +142,7 @@ def _half(world: World) -> Place:
     return (sides["west"] + sides["east"]) / 2, (sides["south"] + sides["north"]) / 2
 
 
-def _played(world: World, cue: str, rail: str, sight: Sight, stroke: Stroke) -> Sight:
+def _played(world: World, cue: str, rail: str, sight: Diamond, stroke: DiamondStroke) -> Diamond:
     x, y = world.ball(cue).position
     way = complex(sight.at[0] - x, sight.at[1] - y)
     right = turns_right(way, rail)
@@ -169,8 +170,8 @@ def turns_right(way: complex, rail: str) -> bool:
 
 
 def _with_third(
-    world: World, sight: Sight, rail: str, third: tuple[str, Place], right: bool
-) -> Sight:
+    world: World, sight: Diamond, rail: str, third: tuple[str, Place], right: bool
+) -> Diamond:
     """A diamond with where the third cushion is met, and the numbers of the corner system."""
     wall, at = third
     value = _along(world, wall, at)

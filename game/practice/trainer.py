@@ -1,7 +1,7 @@
 """A drill that is practised: it judges each stroke, counts, and keeps the best.
 
 It looks at a session after each thing that happens and never changes it: what is taken back, moved
-by hand or laid anew is seen by how the balls lie.
+by hand or laid again is seen by how the balls lie.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from danggu.players.goals import CLEAR, GOALS, RUN, ZONE, Goal, Outcome, outcome
+from danggu.players.goals import CLEAR, GOALS, RUN, ZONE, DrillOutcome, Goal, outcome
 from danggu.rules.stroke import stroke
 from game.session.session import Session
 from game.table import presets
@@ -78,7 +78,7 @@ class Trainer:
         return self.drill, self.state, self.count, self.result, self.reached
 
     def begin(self, drill: str) -> None:
-        """A drill has just been laid: a streak in the same one goes on, an attempt begins anew."""
+        """A drill has just been laid: a streak in the same one goes on, an attempt starts again."""
         again = drill == self.drill and not GOALS[drill].restarts
         self.drill, self.state = drill, READY
         self.count, self.result = (self.count, self.result) if again else (0, None)
@@ -140,14 +140,14 @@ class Trainer:
         else:
             self._counted(found)
 
-    def _ringed(self, found: Outcome, length: float) -> None:
+    def _ringed(self, found: DrillOutcome, length: float) -> None:
         off = found.off if found.made else None
         stars = self.goal.ringed(off, length) if off is not None else int(found.made)
         self._keep(found.made, stars, off, off)
         self.count = self.count + 1 if found.made else 0
         self.state = AWAY
 
-    def _counted(self, found: Outcome) -> None:
+    def _counted(self, found: DrillOutcome) -> None:
         """One more in a row, or the end of it."""
         self.count = self.count + 1 if found.made else 0
         reached = float(self.count)
@@ -162,7 +162,7 @@ class Trainer:
         else:
             self.state = AWAY
 
-    def _cleared(self, found: Outcome) -> None:
+    def _cleared(self, found: DrillOutcome) -> None:
         self.count += 1
         ended = found.done or not found.made
         stars = self.goal.stars(self.count) if found.done else 0

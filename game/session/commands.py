@@ -10,7 +10,7 @@ from typing import Any
 
 from game.aim import advice, edit, thickness
 from game.aim.entry import BOXES, Aim
-from game.table import drills, lineup, presets, shared
+from game.table import drill_lies, lineup, presets, shared
 from game.text import LANGUAGES
 from game.text.quoting import shortly
 
@@ -241,7 +241,8 @@ TABLE = (
             ends_match="begun"),
     Command("line", table.line, line("LINE", lineup.read, "a set-up"), ends_match="always"),
     Command("open", table.open_shot, line("SHOT", shared.read, "a shot"), ends_match="always"),
-    Command("drill", table.drill, one_of("NAME", drills.NAMES, needed=True), ends_match="always"),
+    Command("drill", table.drill, one_of("NAME", drill_lies.NAMES, needed=True),
+            ends_match="always"),
     Command("scene", table.scene, key_in("NAME", presets.SCENES, needed=True),
             ends_match="always"),
     Command("cloth", table.use_cloth, one_of("KEY", presets.CLOTHS), kept=True, ends_match="terms"),

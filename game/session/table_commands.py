@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable
 
-from game.table import drills, lineup, placing, presets, shared
+from game.table import drill_lies, lineup, placing, presets, shared
 from game.text import LANGUAGES
 from physics import World
 
@@ -168,7 +168,7 @@ def open_shot(session: Session, text: str) -> None:
 
 def drill(session: Session, name: str) -> None:
     """Lay a drill, with the cue pointing at the ball to be hit first."""
-    line(session, drills.laid(name).line())
+    line(session, drill_lies.laid(name).line())
     session.cue = session.held_ball = presets.cue_ball(session.world)
 
 

@@ -47,7 +47,7 @@ WORDS = {
     "help.shots": "Shots and replays",
     "help.save": "save the shot or its replay",
     "help.open": "open a shot or a replay",
-    "help.copy": "copy the shot as a line of text, paste one",
+    "help.copy": "copy the shot as text, paste one",
     "help.ctrl.undo": "undo, redo, also in a box",
     "help.sheet": "← → sheet {sheet} of {all}",
     "help.practice": "Practice",
@@ -73,7 +73,7 @@ WORDS = {
     "guide.end": "Esc or a click closes this",
     "toast.words": "{word}",
     "toast.drill": "Drill laid · Ctrl+Z takes it back",
-    "help.drills": "from the shelf: drills with a goal and stars",
+    "help.drills": "the shelf: drills with goal and stars",
     "help.drill.again": "in a drill: lay it again",
     "goal.zone": (
         "1 star: make the shot · 2: the cue ball comes to rest in the ring · 3: in the inner ring"
@@ -104,6 +104,10 @@ WORDS = {
     "position.long_round": "Long way round",
     "position.corner_round": "Round the corner",
     "position.short_rail": "Short rail first",
+    "set.diamonds": "Diamonds",
+    "set.diamonds.off": "off",
+    "set.diamonds.own": "this stroke",
+    "set.diamonds.five": "corner 5",
     "launch.speed": "ball speed",
     "launch.spin": "spin",
     "launch.squirt": "squirt",

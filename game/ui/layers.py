@@ -297,7 +297,7 @@ class Layers:
         )  # fmt: skip
 
     def _again(self, action: Action) -> Action:
-        """What puts balls back lays a drill anew whose attempt the last stroke's lie is not."""
+        """What puts balls back lays a drill again where the last lie is not its beginning."""
         trainer = self.view.trainer
         restarts = action.name == "retry" and trainer.restarts
         return Action("drill", trainer.drill) if restarts else action

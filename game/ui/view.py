@@ -41,7 +41,7 @@ from .panels.parts import Panel, fixed_parts
 from .panels.shot_panels import shot_parts
 from .panels.toast import Toast
 from .table.marks import aiming
-from .table.over import Card, outlined
+from .table.over import LaidCard, outlined
 from .table.sketch import Sketch
 from .table.stage import Stage
 
@@ -245,7 +245,7 @@ class View:
             return self._draw_page(surface)
         return self.stage.draw(surface, self.session) + self._draw_parts(surface)
 
-    def _cards(self) -> Iterator[Card]:
+    def _cards(self) -> Iterator[LaidCard]:
         """What lies over the table."""
         self.stage.diamonds.key(self.session, self.preferences.settings.diamonds)
         yield from caption.cards(self.sight, self.stage.diamonds)

@@ -6,7 +6,7 @@ from math import degrees
 import pytest
 
 from game.aim import diamonds
-from game.aim.diamonds import FIVE, Stroke
+from game.aim.diamonds import FIVE, DiamondStroke
 from game.input.captions import words
 from game.render import layout
 from game.render.table.rails import diamond_places
@@ -16,7 +16,7 @@ from physics import Shot, simulate
 from tests.support.players import FRAME, an_app, assert_same_as_anew, press
 
 RAILS = ("north", "south", "west", "east")
-PLAIN = Stroke(3.5, 0.5, 0.0, 0.0)
+PLAIN = DiamondStroke(3.5, 0.5, 0.0, 0.0)
 
 
 @pytest.mark.parametrize("rail", RAILS)

@@ -8,7 +8,7 @@ from danggu.players.goals import GOALS, POSITIONS, ZONE
 from game.practice.book import Book, Reached
 from game.practice.trainer import AWAY, OVER, READY
 from game.session.action import Action
-from game.table import drills
+from game.table import drill_lies
 from game.ui.pages import shelf_view
 from game.ui.table import zone_marks
 from tests.support.players import FRAME, an_app, assert_same_as_anew, press
@@ -43,7 +43,7 @@ def test_every_drill_is_laid_with_a_cue_that_does_not_know_the_answer(drill):
     trainer = app.view.trainer
     assert (trainer.drill, trainer.state) == (drill, READY)
     assert app.session.aim.complete
-    assert dict(drills.laid(drill).balls) == {
+    assert dict(drill_lies.laid(drill).balls) == {
         ball.name: ball.position for ball in app.session.world.balls
     }
     assert_same_as_anew(app)
@@ -84,7 +84,7 @@ def test_a_stroke_from_another_lie_does_not_count():
     assert (trainer.state, trainer.reached.tries) == (AWAY, 1)
     press(app, "r")
     assert trainer.state == READY
-    assert dict(drills.laid("pool.cut_45").balls) == {
+    assert dict(drill_lies.laid("pool.cut_45").balls) == {
         ball.name: ball.position for ball in app.session.world.balls
     }
     press(app, "down")
@@ -106,7 +106,7 @@ def test_a_stroke_that_is_taken_back_begins_a_run_again():
     assert (trainer.reached.best, trainer.reached.stars) == (1, 0)
     press(app, "r")
     assert (trainer.state, trainer.count) == (READY, 0)
-    assert dict(drills.laid("sagu.gather").balls) == {
+    assert dict(drill_lies.laid("sagu.gather").balls) == {
         ball.name: ball.position for ball in app.session.world.balls
     }
 

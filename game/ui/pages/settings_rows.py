@@ -39,6 +39,7 @@ CHOSEN: tuple[SettingsRow, ...] = (
     SettingsRow("squirt", "choice", CHOICES["squirt"]),
     SettingsRow("aids", "choice", CHOICES["aids"], gap=True),
     SettingsRow("level", "choice", CHOICES["level"]),
+    SettingsRow("diamonds", "choice", CHOICES["diamonds"]),
     SettingsRow("colours", "choice", CHOICES["colours"]),
     SettingsRow("still", "switch", SWITCH),
     SettingsRow("sound", "switch", SWITCH, gap=True),

@@ -27,7 +27,7 @@ from game.ui.sight import Sight
 from . import page_parts
 from .settings_rows import CHOSEN, KEYS, ROWS, SettingsRow, beside, current
 
-HEIGHT = 536
+HEIGHT = 574
 PAD = 28
 TOP = 66
 """Where the rows begin, below the title."""

@@ -12,7 +12,7 @@ from game.practice.trainer import Trainer
 from game.render.parts import text_line
 from game.session.action import Action
 from game.session.session import Session
-from game.table import drills, lineup, shared
+from game.table import drill_lies, lineup, shared
 from game.table.library import LONGEST_NAME, Library
 from game.table.lineup import MARK, LineError, Lineup
 from game.table.own_table import base
@@ -61,7 +61,7 @@ class ShelfPage:
     def _card(self, ready: lineup.Ready) -> Card:
         """A set-up that comes with the program; most of them are drills."""
         drill = f"{ready.group}.{ready.key}"
-        if self.trainer is None or drill not in drills.NAMES:
+        if self.trainer is None or drill not in drill_lies.NAMES:
             return Card(f"position.{ready.key}", False, ready.lineup)
         stars = self.trainer.book.of(drill).stars
         return Card(f"position.{ready.key}", False, ready.lineup, drill, stars)

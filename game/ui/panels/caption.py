@@ -6,12 +6,12 @@ from game.render.layout import WOOD
 from game.render.theme import LINE_INPUT, TEXT_SOFT
 from game.ui.sight import Sight
 from game.ui.table.diamond_marks import DiamondMarks
-from game.ui.table.over import Card, written
+from game.ui.table.over import LaidCard, written
 
 SIZE = 12
 
 
-def cards(sight: Sight, diamonds: DiamondMarks) -> list[Card]:
+def cards(sight: Sight, diamonds: DiamondMarks) -> list[LaidCard]:
     """The card, on the long rail that has no numbers; none while there are no numbers at all."""
     said = diamonds.words(sight.session, sight.words)
     if not said or diamonds.fan is None:
@@ -21,4 +21,4 @@ def cards(sight: Sight, diamonds: DiamondMarks) -> list[Card]:
     below = diamonds.fan.rail != "south"
     middle = table.bottom - out if below else table.top + out
     rect = picture.get_rect(center=(table.centerx, round(middle)))
-    return [Card(("diamonds", said, below), rect.clamp(table), picture)]
+    return [LaidCard(("diamonds", said, below), rect.clamp(table), picture)]

@@ -9,7 +9,7 @@ import pygame
 from game.render.theme import ACCENT, TEXT, TEXT_SOFT
 from game.session.session import Session
 from game.ui.sight import Sight
-from game.ui.table.over import Card, written
+from game.ui.table.over import LaidCard, written
 
 AIM, POWER, SHOOT, DONE = 1, 2, 3, 4
 """The steps; 0 is no guide at all."""
@@ -76,7 +76,7 @@ class Guide:
         self.skip()
         return True
 
-    def cards(self, sight: Sight) -> list[Card]:
+    def cards(self, sight: Sight) -> list[LaidCard]:
         """The card, at the top of the table."""
         if not self.step:
             return []
@@ -86,7 +86,7 @@ class Guide:
         rows.append((w["guide.end" if self.step == DONE else "guide.foot"], 12, TEXT_SOFT))
         picture = written(sight.type, rows, ACCENT, 0.94 * bed.w, 22)
         rect = picture.get_rect(midtop=(bed.centerx, bed.y + sight.layout.px(12)))
-        return [Card(("guide", self.step, sight.session.language, rows[0][0]), rect, picture)]
+        return [LaidCard(("guide", self.step, sight.session.language, rows[0][0]), rect, picture)]
 
     def press(self, at: tuple[int, int], sight: Sight) -> bool:
         """A press of the mouse: the card goes on, its foot ends the guide; was it there?"""

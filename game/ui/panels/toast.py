@@ -6,7 +6,7 @@ from game.render.parts import stars
 from game.render.theme import ACCENT, ERROR, TEXT
 from game.session.action import Action
 from game.ui.sight import Sight
-from game.ui.table.over import PAD, Card, written
+from game.ui.table.over import PAD, LaidCard, written
 
 LASTS = 4.0
 """Seconds for which it is shown."""
@@ -55,7 +55,7 @@ class Toast:
         self.key = "" if gone else self.key
         return gone
 
-    def cards(self, sight: Sight) -> list[Card]:
+    def cards(self, sight: Sight) -> list[LaidCard]:
         """The card, on the rail at the bottom, where it hides no ball that lies away from it."""
         if not self.key:
             return []
@@ -68,4 +68,4 @@ class Toast:
             at = PAD * sight.layout.s, picture.get_height() / 2
             stars.draw(picture, at, STAR * sight.layout.s, self.stars)
         rect = picture.get_rect(midbottom=(bed.centerx, sight.layout.table.bottom - 2))
-        return [Card(("toast", words, self.stars), rect, picture)]
+        return [LaidCard(("toast", words, self.stars), rect, picture)]

@@ -8,7 +8,7 @@ from math import radians
 import pygame
 
 from game.aim import diamonds
-from game.aim.diamonds import FIVE, Fan, Sight, Stroke
+from game.aim.diamonds import FIVE, Diamond, DiamondFan, DiamondStroke
 from game.aim.entry import BOXES
 from game.render.font import type_at
 from game.render.layout import Layout
@@ -32,7 +32,7 @@ class DiamondMarks:
 
     def __init__(self) -> None:
         self.mode = "off"
-        self.fan: Fan | None = None
+        self.fan: DiamondFan | None = None
         self._known: object = None
 
     def key(self, session: Session, mode: str) -> object:
@@ -47,7 +47,7 @@ class DiamondMarks:
         self._known = asked
         return asked, mode, self._right(session) if asked is not None else None
 
-    def _asked(self, session: Session) -> tuple[str, Stroke, int, str] | None:
+    def _asked(self, session: Session) -> tuple[str, DiamondStroke, int, str] | None:
         """The rail and the stroke that are asked about, and what else the numbers depend on."""
         aim = session.aim
         shows = marks.aiming(session) and not session.arranging and not session.sketching
@@ -60,13 +60,13 @@ class DiamondMarks:
         return rail, stroke, session.stamp, session.cue
 
     @staticmethod
-    def _own(session: Session) -> Stroke | None:
+    def _own(session: Session) -> DiamondStroke | None:
         numbers = [session.aim.number(name) for name in BOXES[:4]]
         known = [number for number in numbers if number is not None]
         if len(known) < 4 or known[0] <= 0.0:
             return None
         speed, follow, masse, side = known
-        return Stroke(speed, follow, masse, side)
+        return DiamondStroke(speed, follow, masse, side)
 
     def _right(self, session: Session) -> bool:
         way = rect(1.0, radians(session.aim.angle or 0.0))
@@ -86,7 +86,7 @@ class DiamondMarks:
             rects.append(_pill(surface, layout, layout.to_screen(*sight.at), self.said(sight), ink))
         return rects
 
-    def said(self, sight: Sight) -> str:
+    def said(self, sight: Diamond) -> str:
         """What is written at a diamond: the third cushion's place; in the corner system first and
         third, of which the sum is the cue ball's number."""
         if not sight.rail:

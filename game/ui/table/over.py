@@ -16,7 +16,7 @@ PAD, LINE = 12, 20
 """Room around the words of a card, and the height of a line; px at s = 1."""
 
 
-class Card(NamedTuple):
+class LaidCard(NamedTuple):
     """A picture and where it lies.
 
     key: equal keys, equal pictures.
@@ -31,7 +31,7 @@ class Over:
     """What lies over a table; only what has changed is drawn again."""
 
     def __init__(self) -> None:
-        self.cards: tuple[Card, ...] = ()
+        self.cards: tuple[LaidCard, ...] = ()
         self._shown: dict[Hashable, pygame.Rect] = {}
 
     def changed(self) -> list[pygame.Rect]:
