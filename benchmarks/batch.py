@@ -1,4 +1,7 @@
-"""Shots a second of one scene in batches: interpreted, compiled, by threads and by executor."""
+"""Shots a second of one scene in batches: interpreted, compiled, by threads and by executor.
+
+And how long it takes to play and judge three-cushion shots by the million.
+"""
 
 import os
 from collections.abc import Callable, Iterator
@@ -10,6 +13,9 @@ from typing import Any
 
 import numpy as np
 
+from danggu.__main__ import world_of
+from danggu.rules import GAMES
+from danggu.scores import scores
 from physics import Outcomes, World, scenes, simulate_many
 
 from . import report
@@ -17,6 +23,7 @@ from .report import Report, figure
 
 SHOTS = (8192, 65_536, 524_288)
 INTERPRETED = (64, 720, 4096)
+SCORED = (2000, 100_000, 1_000_000)
 
 
 def table(shots: int) -> Any:
@@ -86,6 +93,7 @@ def main(arguments: list[str] | None = None) -> int:
                 seen.setdefault(name, []).append((len(shots) / wall, cpu / len(shots)))
                 same &= np.array_equal(outcomes.positions, truth.positions[: len(shots)])
     report_ways(page, seen, same)
+    report_scored(page, SCORED[effort])
     page.save()
     return 0 if same else 1
 
@@ -109,4 +117,20 @@ def report_ways(page: Report, seen: dict[str, list[tuple[float, float]]], same: 
     page.table(["how", "most, shots/s", "median", "against compiled", "CPU a shot"], rows)
     page.data(
         ["how", "shots per s", "cpu s per shot"], [[n, *r] for n, rs in seen.items() for r in rs]
+    )
+
+
+def report_scored(page: Report, count: int) -> None:
+    """Random three-cushion shots, with their contacts and verdicts, by two threads."""
+    chance, game = np.random.default_rng(1), "three-cushion"
+    low, high = (1.0, -180.0, -2.0, 0.0, -4.0, 0.0), (6.0, 180.0, 4.0, 0.0, 4.0, 0.0)
+    shots = chance.uniform(low, high, (count, 6))
+    with ThreadPoolExecutor(2) as threads:
+        wall, cpu = perf_counter(), process_time()
+        found = scores(world_of("opening", game), "white", shots, GAMES[game](), executor=threads)
+        wall, cpu = perf_counter() - wall, process_time() - cpu
+    page.say(
+        f"{count:,} random three-cushion shots from the opening position, contacts and verdicts"
+        f" included, by two threads: {wall:.2f} s, {cpu:.2f} s of CPU;"
+        f" {100.0 * found.made.mean():.2f} % score."
     )

@@ -11,9 +11,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from physics import Ball, laws, tables
-from physics.batch.many import _job  # every shot here begins elsewhere, so not `simulate_many`
-from physics.kernel.body import ROLL_X, ROLL_Y, VX, VY, X, Y
+from physics import Ball, laws, simulate_many, tables
 
 INCH = 0.0254
 SPEEDS = (1.0, 2.0, 4.0)  # m/s, rolling, RUN from the mouth
@@ -46,16 +44,13 @@ def taken(kind, speed, law=None):
     if law is not None:
         world.cushion_law = law
     world.add(Ball("a", at=(0.0, 0.0)))
-    world.plan()
     here = clear(kind, start)
-    at, moving = start[here], np.broadcast_to(speed * way, start.shape)[here]
-    job = _job(world, "a", at.size, True, np)
-    starts = np.tile(job.before, (at.size, 1, 1))
-    for x, y, value in ((X, Y, at), (VX, VY, moving), (ROLL_X, ROLL_Y, moving)):
-        starts[:, 0, x], starts[:, 0, y] = value.real, value.imag
-    rests, times, _ = job._compiled(starts)
+    at, angle = start[here], np.broadcast_to(np.degrees(np.angle(way)), start.shape)[here]
+    rolling = {"speed": speed, "angle": angle, "follow": speed}
+    done = simulate_many(world, "a", positions=np.stack([at.real, at.imag], -1)[:, None], **rolling)
     found = np.zeros(start.shape, bool)
-    found[here] = np.isnan(rests[:, 0, 0]) & (times < 2.0 * RUN / speed)  # later: in another pocket
+    in_time = done.times < 2.0 * RUN / speed  # later: in another pocket
+    found[here] = np.isnan(done.positions[:, 0, 0]) & in_time
     return found
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from functools import cache
 from math import inf, nan
 from operator import attrgetter
 from typing import Any, NamedTuple
@@ -60,9 +61,7 @@ class Job(NamedTuple):
         return part
 
     def _compiled(self, table: Any, places: Any, part: Part) -> None:
-        from physics.batch.ready import take
-
-        mine, back = take(self.scene)
+        mine, back = _take()(self.scene)
         notes = mine.notes(self.contacts, part.contacts, part.dropped, *mine.near, self.until)
         mine.many(
             self.before, places, table, self.struck, *part[:3], self.budget, mine.scene, notes
@@ -90,6 +89,14 @@ class Job(NamedTuple):
         balls, walls, most = len(self.before), len(self.scene.walls), self.contacts
         ways, near = [Way() for _ in range(balls)], [True] * (balls * walls)
         return Notes(most, [[Kept() for _ in range(most)]], [0], ways, near, self.until)
+
+
+@cache
+def _take() -> Any:
+    """Where compiled scenes are had; once, since to import costs as much as a third of a shot."""
+    from physics.batch.ready import take
+
+    return take
 
 
 class OneByOne(NamedTuple):
@@ -132,8 +139,7 @@ def job_of(
 ) -> Job | OneByOne:
     """What plays the shots, so many at a time; ValueError if it cannot be compiled and must be."""
     if isinstance(world.engine, EventDriven) and world.cluster_law is None:
-        rules = world.scene.ball_rule, world.scene.cushion_rule, *world.scene.rules
-        custom = any(isinstance(rule, CustomRule) and rule.interpreted for rule in rules)
+        custom = _interpreted(world.scene)
         if compiled and custom:
             raise ValueError(
                 "a custom law runs interpreted: not with compiled=True, unless it is marked as"
@@ -150,6 +156,14 @@ def job_of(
     if compiled:
         raise ValueError("this engine or cluster law runs interpreted: not with compiled=True")
     return OneByOne(world.copy(), asked.names[asked.struck], contacts)
+
+
+def _interpreted(scene: body.Scene) -> bool:
+    """Has it a custom law that no kernel compiles?"""
+    for rule in (scene.ball_rule, scene.cushion_rule, *scene.rules):
+        if isinstance(rule, CustomRule) and rule.interpreted:
+            return True
+    return False
 
 
 def loaded() -> bool:

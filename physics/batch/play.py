@@ -36,10 +36,11 @@ def play(
         for count in _pieces(job, asked, whole, executor):
             if progress is not None:
                 progress(count)
-    if not all(0 <= count <= job.budget for count in _extremes(whole.events)):
+    least, most = _extremes(whole.events)
+    if least < 0 or most > job.budget:
         over = (whole.events < 0) | (whole.events > job.budget)
         _fail(world, asked, int(np.flatnonzero(over)[0]))
-    return whole.whole(asked.names, tuple(wall.name for wall in world.walls))
+    return whole.whole(asked.names, tuple([wall.name for wall in world.walls]))
 
 
 def _extremes(counts: Any) -> tuple[int, int]:

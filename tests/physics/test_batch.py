@@ -107,6 +107,20 @@ def test_an_executor_changes_nothing_but_what_does_the_work(pool, monkeypatch):
         assert np.array_equal(a, b)
 
 
+def test_a_batch_begins_where_the_balls_lie_now():
+    """Layouts are kept between batches, which must not be seen."""
+    world, other = scenes.carom(), scenes.carom()
+    first = simulate_many(world, "white", fan(3), compiled=True)
+    for ball in world.balls:
+        ball.position = ball.position[0], -ball.position[1]
+    moved = simulate_many(world, "white", fan(3), compiled=True)
+    assert not same(first, moved)
+    assert same(first, simulate_many(other, "white", fan(3), compiled=True))
+    for ball in world.balls:
+        ball.position = ball.position[0], -ball.position[1]
+    assert same(first, simulate_many(world, "white", fan(3), compiled=True))
+
+
 def test_shots_may_be_an_array():
     world = scenes.carom()
     rows = np.array([[3.0, 10.0, 0.5, 0.0, 1.5], [2.0, -70.0, -1.0, 0.3, 0.0]])
