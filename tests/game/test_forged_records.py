@@ -49,8 +49,11 @@ def test_a_record_may_hold_every_command_but_the_players_own_and_the_end():
     assert COMMANDS.keys() - RECORDED.keys() == OWN | {"quit"}
 
 
-OWN = {"mute", "still", "both", "fan", "volume", "aids", "colours", "bind", "unbind"}
-"""What a player chooses for seeing and hearing."""
+OWN = {
+    "mute", "still", "both", "fan", "graphs", "compare", "export", "volume", "aids", "colours",
+    "bind", "unbind",
+}  # fmt: skip
+"""What a player chooses for seeing and hearing, and what is written for one."""
 HEAD = '{"format":"danggu record","version":1,"with":"x","ticks":65536,"setup":%s}\n'
 END = '{"tick":%s,"end":"0"}\n'
 BAD = {
