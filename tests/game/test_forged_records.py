@@ -50,10 +50,10 @@ def test_a_record_may_hold_every_command_but_the_players_own_and_the_end():
 
 
 OWN = {
-    "mute", "still", "both", "fan", "volume", "aids", "colours", "diamonds", "full", "bind",
-    "unbind",
+    "mute", "still", "both", "fan", "graphs", "compare", "export", "volume", "aids", "level",
+    "colours", "diamonds", "full", "bind", "unbind",
 }  # fmt: skip
-"""What a player chooses for seeing and hearing."""
+"""What a player chooses for seeing and hearing, and what is written for one."""
 HEAD = '{"format":"danggu record","version":1,"with":"x","ticks":65536,"setup":%s}\n'
 END = '{"tick":%s,"end":"0"}\n'
 BAD = {
