@@ -245,6 +245,7 @@ WORDS = {
     "reason.lag_again": "Lag again",
     "warn.not_on": "Not on: {ball} is hit first",
     "warn.nothing": "No ball is hit",
+    "warn.off": "The cue ball leaves the table",
     "warn.cue": "The cue ball goes down, {pocket}",
     "sheet.rack.lost": "loses the rack",
     "sheet.frame.lost": "loses the frame",

@@ -245,6 +245,7 @@ WORDS = {
     "reason.lag_again": "뱅킹 다시",
     "warn.not_on": "맞힐 공이 아님: {ball}부터 맞습니다",
     "warn.nothing": "아무 공도 맞지 않습니다",
+    "warn.off": "수구가 당구대를 벗어납니다",
     "warn.cue": "수구가 들어갑니다: {pocket}",
     "sheet.rack.lost": "랙 패배",
     "sheet.frame.lost": "프레임 패배",

@@ -11,9 +11,11 @@ import pytest
 from game.render.layout import Layout
 from game.render.table import cue_stick
 from game.render.table.balls import Spot
+from game.session.action import Action
 from game.session.ticks import TICKS
-from physics import Ball, CueStroke, tables
+from physics import Ball, CueStroke, Shot, tables
 from tests.support.pictures import black, changed, pixels, sprites
+from tests.support.players import an_app, assert_same_as_anew
 from tests.support.stages import a_stage, shown
 
 FRAME = TICKS // 60
@@ -99,3 +101,15 @@ def test_a_cue_in_the_hand_is_drawn_as_steep_as_its_stroke():
         rooms.append(stage._cue[1])
     assert rooms[1].w < rooms[0].w
     assert rooms[1].h > rooms[0].h
+
+
+def test_a_ball_high_above_the_rail_leaves_the_cards_beside_the_table_alone():
+    app = an_app(size=(1280, 720), game="snooker", table="snooker")
+    app.perform(Action("arrange"))
+    app.session.world.ball("black").position = (1.6, 0.75)
+    app.session.world.strike("black", Shot(0.5, 200.0, climb=4.0))
+    app.session.timeline.moving = app.session.timeline.shown = True
+    for _ in range(30):
+        app.frame(FRAME)
+        assert app.session.world.ball("black").height > 0.0
+        assert_same_as_anew(app)

@@ -5,11 +5,11 @@ from math import atan2, degrees
 import pygame
 import pytest
 
-from danggu.rules.verdict import Verdict
+from danggu.rules.verdict import Facts, Verdict
 from game.input.captions import words
 from game.render import theme
 from game.session.action import Action
-from game.ui.panels import rack_words, shot_panels, tray, warning
+from game.ui.panels import rack_words, score_plates, shot_panels, tray, warning
 from tests.support.players import FRAME, an_app, assert_same_as_anew, press
 from tests.support.racked_games import leave, playing
 
@@ -86,3 +86,20 @@ def test_a_foul_that_is_foreseen_is_said_before_the_stroke():
     assert warning.of(app.view.sight) == "Foul: no cushion after"
     app.perform(Action("set", "speed 3"))
     assert warning.of(app.view.sight) == ""
+
+
+@pytest.mark.parametrize(("off", "said"), [
+    (("cue",), "Foul: ball off the table"), ((), "Foul: cue ball down"),
+])  # fmt: skip
+def test_a_cue_ball_that_left_the_table_is_not_said_to_be_down(off, said):
+    foul = Verdict("scratch", foul=True, facts=Facts(off=off))
+    assert score_plates.reason(foul, words("en")) == said
+
+
+def test_a_cue_ball_that_would_leave_the_table_is_said_before_the_stroke():
+    app = an_app(size=(1280, 720), game="9-ball", table="pool-9")
+    press(app, "return")
+    leave(app.session, cue=(0.0, 0.0), b1=(-0.5, 0.3), b9=(-0.5, -0.3))
+    app.perform(Action("set", "speed 8 follow 0 masse 0 side 0 angle 20"))
+    app.perform(Action("elevate", "55"))
+    assert warning.of(app.view.sight) == "The cue ball leaves the table"

@@ -6,8 +6,10 @@ from collections.abc import Hashable
 
 import pygame
 
+from danggu.rules.pocketed import CUE
+from danggu.rules.pool import SCRATCH
 from danggu.rules.sagu import LAST_POINT_3C
-from danggu.rules.verdict import Verdict
+from danggu.rules.verdict import OFF_TABLE, Verdict
 from game.render.parts import cards
 from game.render.theme import ACCENT, ERROR, GOOD, TEXT, TEXT_SOFT, Colour
 from game.session.running_match import Contest
@@ -169,5 +171,7 @@ def _counted(key: str, n: int, w: dict[str, str]) -> str:
 
 
 def reason(verdict: Verdict, w: dict[str, str]) -> str:
-    """Say why a stroke counted what it did."""
-    return _counted(f"reason.{verdict.reason}", verdict.facts.cushions, w)
+    """Say why a stroke counted what it did; a cue ball that is lost may have left the table."""
+    left = verdict.reason == SCRATCH and CUE in verdict.facts.off
+    key = OFF_TABLE if left else verdict.reason
+    return _counted(f"reason.{key}", verdict.facts.cushions, w)

@@ -28,7 +28,7 @@ def _first(session: Session, contest: Contest, w: dict[str, str]) -> str:
     if seen is None or touched or match.call.push:
         return ""
     if seen.contact is None:
-        return w["warn.nothing"]
+        return _down(session, contest, w) or w["warn.nothing"]
     ball = seen.contact.ball
     if ball in match.rules.targets(match.turn):
         return ""
@@ -36,8 +36,10 @@ def _first(session: Session, contest: Contest, w: dict[str, str]) -> str:
 
 
 def _down(session: Session, contest: Contest, w: dict[str, str]) -> str:
-    """The cue ball would go down, where it may not: in pyramid it may."""
+    """The cue ball would leave the table, or go down where it may not: in pyramid it may."""
     seen, cue = session.preview, contest.match.cue
+    if seen is not None and any(e.kind == "off" and cue in e.balls for e in seen.story.events):
+        return w["warn.off"]
     if seen is None or contest.match.rules.key.endswith("pyramid"):
         return ""
     falls = (e.wall or "" for e in seen.story.events if e.kind == "pocket" and cue in e.balls)

@@ -110,7 +110,8 @@ class Stage:
         if stroke != self._cue[0]:
             dirty += [self._cue[1], self._cue_room(stroke)]
             self._cue = (stroke, dirty[-1])
-        area = [rect for rect in _merged(dirty) if rect.w and rect.h]
+        table = self.layout.table  # a ball high in the air reaches over the cards
+        area = [rect for room in _merged(dirty) if (rect := room.clip(table)).w and rect.h]
         rooms = [self._balls[spot.ball][1] for spot in places]
         for rect in area:
             near = [places[k] for k in rect.collidelistall(rooms)]
