@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-from io import BytesIO
 from pathlib import Path
 
 import pygame
@@ -21,13 +20,13 @@ from .session.commands import COMMANDS
 from .session.commands import perform as perform_command
 from .session.session import Session
 from .session.ticks import seconds
-from .settings import shot_files
 from .settings.keeper import Keeper
 from .settings.own_table_file import OwnTableFile
 from .settings.preferences import Preferences
 from .sound.hearing import SILENCE, Ear
 from .table import library
 from .table.presets import size as table_size
+from .ui.exporting import export
 from .ui.layers import INPUT, MOUSE, Layers
 from .ui.pages import question
 from .ui.pages.menu import MenuPage
@@ -131,8 +130,8 @@ class App:
         self.update(end - self.session.tick)
         if self.replay is None:
             self.perform(self.thinker.think(), human=False)
-            self.perform(self.view.sketch.look(self.session))
-            self.perform(self.view.coach.look(self.session, self.preferences.settings.level))
+            for found in self.view.found():
+                self.perform(found)
         if not (self.options.virtual or self.preferences.audio.silent):
             self._sound()
         changed, thinking = self.view.think(seconds(ticks))
@@ -268,18 +267,9 @@ class App:
 
     def _export(self) -> None:
         """Write the shot on show as data and as a picture, and say where."""
-        session, image = self.session, BytesIO()
         self.redraw()
         self.render()
-        pygame.image.save(self.canvas.surface, image, "shot.png")
-        began = session.began if session.shown_shot else session.world.time
-        try:
-            folder = self.exports or library.folder()
-            path = shot_files.write(folder, session.world, began, image.getvalue())
-        except OSError as error:
-            session.say("unexported", error=True, about=error.strerror or str(error))
-        else:
-            session.say("exported", about=shot_files.shortly(path))
+        export(self.session, self.canvas.surface, self.exports or library.folder())
         self.view.expose()  # what is said shows behind a page too
 
     def redraw(self, changed: bool = True) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from .bench import Bench
 from .candidates import Style
 from .errors import missed
-from .knockout import Field
+from .knockout import Contenders
 from .levels import Level
 from .outlook import DRAWN, ROUNDS, firsts, outlook
 
@@ -29,7 +29,7 @@ class Ahead:
     squares of these.
     """
 
-    def __init__(self, field: Field) -> None:
+    def __init__(self, field: Contenders) -> None:
         self.field = field
         self.count, self.total, self.square = np.zeros((3, len(field.shots)))
 
@@ -78,7 +78,7 @@ class Ahead:
 
 
 def looked(
-    field: Field, here: Bench, then: Bench, style: Style, level: Level, budget: int,
+    field: Contenders, here: Bench, then: Bench, style: Style, level: Level, budget: int,
     rng: np.random.Generator,
 ) -> Ahead:  # fmt: skip
     """The strokes, the best by far looked at most; `then` is the bench for the stroke after."""

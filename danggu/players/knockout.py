@@ -15,7 +15,7 @@ STAYING = 3  # strokes at the end for each path that stays
 FEWEST = 4  # copies of each stroke in a round
 
 
-class Field(NamedTuple):
+class Contenders(NamedTuple):
     """Strokes in the running, (strokes,) each.
 
     shots: (strokes, 6).
@@ -30,17 +30,17 @@ class Field(NamedTuple):
     gain: Any
 
     @classmethod
-    def of(cls, shots: Any, paths: list[tuple[str, ...]]) -> Field:
+    def of(cls, shots: Any, paths: list[tuple[str, ...]]) -> Contenders:
         """These, of which no copies have been tried."""
         named = np.empty(len(shots), object)
         named[:] = paths
         return cls(shots, named, np.zeros(len(shots)), np.zeros(len(shots)))
 
-    def take(self, rows: Any) -> Field:
-        return Field(*(column[rows] for column in self))
+    def take(self, rows: Any) -> Contenders:
+        return Contenders(*(column[rows] for column in self))
 
-    def joined(self, other: Field) -> Field:
-        return Field(*map(np.concatenate, zip(self, other, strict=True)))
+    def joined(self, other: Contenders) -> Contenders:
+        return Contenders(*map(np.concatenate, zip(self, other, strict=True)))
 
     @property
     def worth(self) -> Any:
@@ -49,8 +49,8 @@ class Field(NamedTuple):
 
 
 def knockout(
-    bench: Bench, field: Field, level: Level, budget: int, paths: int, rng: np.random.Generator
-) -> Field:
+    bench: Bench, field: Contenders, level: Level, budget: int, paths: int, rng: np.random.Generator
+) -> Contenders:
     """The best strokes, three times as many as `paths`, the best first; the best paths are among
     them."""
     share, last = budget // ROUNDS, STAYING * paths
@@ -66,7 +66,7 @@ def knockout(
     return best(field, last, paths)
 
 
-def best(field: Field, keep: int, paths: int) -> Field:
+def best(field: Contenders, keep: int, paths: int) -> Contenders:
     """The best `keep` strokes, the best first; the best of each of the best paths among them."""
     order = np.argsort(-field.worth, kind="stable").tolist()
     chosen = first_of_each(field.paths, order)[:paths]
@@ -83,8 +83,8 @@ def first_of_each(paths: Any, order: list[int]) -> list[int]:
 
 
 def _round(
-    bench: Bench, field: Field, level: Level, copies: int, paths: int, rng: np.random.Generator
-) -> tuple[Field, Field]:
+    bench: Bench, field: Contenders, level: Level, copies: int, paths: int, rng: np.random.Generator
+) -> tuple[Contenders, Contenders]:
     """The field with so many more copies of each, and the middles of what scored around the best
     and around the best of each of the best paths."""
     shots = missed(field.shots, level, copies, bench.radius, rng)
@@ -100,7 +100,7 @@ def _round(
     if not len(rows):
         return after, after.take(rows)
     found = bench.play(centres, paths=True)
-    return after, Field.of(centres[found.made], found.paths)
+    return after, Contenders.of(centres[found.made], found.paths)
 
 
 def middles(shots: Any, made: Any) -> Any:

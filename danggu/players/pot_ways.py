@@ -18,7 +18,7 @@ from .chances import Eye, Route
 from .declaring import declared
 from .draws import spread
 from .errors import SPIN, attempt, missed
-from .knockout import Field, knockout
+from .knockout import Contenders, knockout
 from .levels import Level
 from .lies import lie_and_targets
 from .opponent import LEAST
@@ -78,7 +78,7 @@ def _way(
     good = bench.play(shots, paths=True)
     if not good.made.any():
         return None
-    field, error = Field.of(shots[good.made], good.paths), level.or_more(LEAST)
+    field, error = Contenders.of(shots[good.made], good.paths), level.or_more(LEAST)
     one = knockout(bench, field, error, int(RACED * budget), 1, rng).take([0])
     copies = max(1, min(MEASURED, int((1.0 - DRAWN - RACED) * budget)))
     done = bench.play(missed(one.shots, level, copies, bench.radius, rng))

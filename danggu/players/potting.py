@@ -14,7 +14,7 @@ from .craft import Craft
 from .declaring import declared
 from .levels import MISCUE, Attempt
 from .starts import Start
-from .trying import Candidate, Outcome, Trials
+from .trying import Candidate, Sequel, Trials
 
 ARRIVING = 0.35  # m/s: of a ball that just reaches its pocket
 FASTEST = 8.0  # m/s
@@ -43,7 +43,7 @@ def aimed(
     """The stroke with its angle set right, None if it does not pot."""
     call = declared(start.match, way.ball, way.opening.hole.name)
     turns = way.run / (trials.judge.eye.width * way.cut)  # of the ball, a degree of the aim
-    best: Outcome | None = None
+    best: Sequel | None = None
     for _ in range(AIMINGS):
         done = trials.play(start, call, aim)
         yield
@@ -91,7 +91,7 @@ def _faster(world: World, speed: float, far: float) -> float:
     return sqrt(speed * speed + 2.0 * world.cloth.roll * world.cloth.gravity * far)
 
 
-def _off(done: Outcome, way: Route) -> float | None:
+def _off(done: Sequel, way: Route) -> float | None:
     """By how much the ball left its way to the left, radians; None if it did not move."""
     legs = done.world.log.legs(way.ball)
     if len(legs) < 2 or not legs[1].velocity:

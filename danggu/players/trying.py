@@ -45,7 +45,7 @@ class Candidate:
 
 
 @dataclass(slots=True)
-class Outcome:
+class Sequel:
     """What came of a stroke.
 
     verdict: on it.
@@ -74,14 +74,14 @@ class Trials:
     tried: int = 0
     _laid: dict[tuple[str, complex], World] = field(default_factory=dict)
 
-    def play(self, start: Start, call: Call, aim: Attempt) -> Outcome | None:
+    def play(self, start: Start, call: Call, aim: Attempt) -> Sequel | None:
         """None for what the engine cannot follow, or cannot be placed or declared so."""
         self.tried += 1
         try:
             match = start.match.called(call)
             after = simulate(self._table(start), match.cue, aim.shot())
             verdict = match.judged(after.log.brief())
-            return Outcome(verdict, self.judge.after(match, verdict, after), after)
+            return Sequel(verdict, self.judge.after(match, verdict, after), after)
         except (ValueError, RuntimeError):
             return None
 

@@ -20,7 +20,7 @@ from .bench import Bench
 from .candidates import CUSHIONS, DIRECT, Style
 from .draws import draws
 from .errors import attempt, missed
-from .knockout import Field, first_of_each, knockout
+from .knockout import Contenders, first_of_each, knockout
 from .levels import Level
 from .opponent import LEAST
 from .pot_ways import pot_ways
@@ -97,19 +97,19 @@ def _style(bench: Bench) -> Style:
     return replace(style, tip=FURTHER)
 
 
-def _drawn(bench: Bench, count: int, rng: np.random.Generator) -> Field:
+def _drawn(bench: Bench, count: int, rng: np.random.Generator) -> Contenders:
     """Aims that score, as they are meant."""
     places, style = bench.places[None], _style(bench)
-    found, end = Field.of(np.empty((0, 6)), []), bench.played + count
+    found, end = Contenders.of(np.empty((0, 6)), []), bench.played + count
     while bench.played < end and len(found.shots) < ENOUGH:
         n = min(PIECE, end - bench.played)
         shots = draws(places[:, bench.own], places[:, bench.on], bench.radius, style, n, rng)[0]
         tried = bench.play(shots, paths=True)
-        found = found.joined(Field.of(shots[tried.made], tried.paths))
+        found = found.joined(Contenders.of(shots[tried.made], tried.paths))
     return found.take(slice(0, ENOUGH))
 
 
-def _last(bench: Bench, field: Field) -> bool:
+def _last(bench: Bench, field: Contenders) -> bool:
     """Whether the best of them wins: what it leaves does not matter."""
     log = simulate(bench.world, bench.turn.cue, attempt(field.shots[0]).shot()).log
     return bench.rules.verdict(log.contacts(), bench.turn).won

@@ -28,7 +28,7 @@ def on_the_simulator(*words):
 
 
 def simulated(scene, shots):
-    return on_the_simulator("-m", "tests.support.simulated_card", scene, str(shots))
+    return on_the_simulator("-m", "tests.physics.simulated_card", scene, str(shots))
 
 
 def test_numbas_simulator_of_a_card_gives_the_bits_of_the_cpu():
@@ -57,7 +57,7 @@ def test_the_simulator_gives_them_in_every_kind_of_scene(scene, shots):
 def test_the_benchmark_of_a_card_is_ready_to_be_run(tmp_path):
     words = ["--smallest", "--out", str(tmp_path)]
     code = (
-        "import sys; from benchmarks.cuda import main; from tests.support import simulated_card;"
+        "import sys; from benchmarks.cuda import main; from tests.physics import simulated_card;"
         f"simulated_card.read_fields_as_a_card_does(); sys.exit(main({words}))"
     )
     done = on_the_simulator("-c", code)
@@ -86,8 +86,8 @@ def test_without_a_card_the_error_says_so():
 
 
 def test_without_numba_the_error_names_the_extra(monkeypatch):
-    monkeypatch.delitem(sys.modules, "physics.batch.cuda", raising=False)
-    monkeypatch.delattr("physics.batch.cuda", raising=False)
+    monkeypatch.delitem(sys.modules, "physics.batch.card", raising=False)
+    monkeypatch.delattr("physics.batch.card", raising=False)
     monkeypatch.setitem(sys.modules, "numba", None)
     assert "danggu[cuda]" in refused(ImportError, device="cuda")
 

@@ -12,7 +12,7 @@ from danggu.players.ahead import Ahead
 from danggu.players.bench import Bench
 from danggu.players.candidates import DIRECT
 from danggu.players.draws import spread
-from danggu.players.knockout import Field
+from danggu.players.knockout import Contenders
 from danggu.players.levels import EXPERT, PERFECT, Level
 from danggu.players.outlook import outlook
 from danggu.players.solution import Tip
@@ -109,7 +109,7 @@ def test_even_numbers_fill_each_cell_of_a_grid() -> None:
 
 
 def test_few_positions_are_trusted_less_than_many() -> None:
-    looked = Ahead(Field.of(np.zeros((3, 6)), [("a",), ("b",), ("c",)]))
+    looked = Ahead(Contenders.of(np.zeros((3, 6)), [("a",), ("b",), ("c",)]))
     looked.count[:] = 4, 400, 400
     looked.total[:] = 0.9 * looked.count[0], 0.6 * 400, 0.4 * 400
     looked.square[:] = looked.total * looked.total / looked.count + 0.04 * looked.count

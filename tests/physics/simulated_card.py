@@ -1,6 +1,6 @@
 """A batch on numba's simulator of a card beside the CPU's; exit status 1 if a bit differs.
 
-`NUMBA_ENABLE_CUDASIM=1 python -m tests.support.simulated_card SCENE SHOTS`
+`NUMBA_ENABLE_CUDASIM=1 python -m tests.physics.simulated_card SCENE SHOTS`
 """
 
 import sys
