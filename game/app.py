@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-from io import BytesIO
 from pathlib import Path
 
 import pygame
@@ -26,7 +25,6 @@ from .settings.keeper import Keeper
 from .settings.own_table_file import OwnTableFile
 from .settings.preferences import Preferences
 from .sound.hearing import SILENCE, Ear
-from .table import library
 from .table.presets import size as table_size
 from .ui.layers import INPUT, MOUSE, Layers
 from .ui.pages import question
@@ -253,18 +251,9 @@ class App:
 
     def _export(self) -> None:
         """Write the shot on show as data and as a picture, and say where."""
-        session, image = self.session, BytesIO()
         self.redraw()
         self.render()
-        pygame.image.save(self.canvas.surface, image, "shot.png")
-        began = session.began if session.shown_shot else session.world.time
-        try:
-            folder = self.exports or library.folder()
-            path = shot_files.write(folder, session.world, began, image.getvalue())
-        except OSError as error:
-            session.say("unexported", error=True, about=error.strerror or str(error))
-        else:
-            session.say("exported", about=shot_files.shortly(path))
+        shot_files.export(self.session, self.canvas.surface, self.exports)
         self.view.expose()  # what is said shows behind a page too
 
     def redraw(self, changed: bool = True) -> None:
