@@ -20,13 +20,12 @@ from .session.commands import COMMANDS
 from .session.commands import perform as perform_command
 from .session.session import Session
 from .session.ticks import seconds
+from .settings import shot_files
 from .settings.keeper import Keeper
 from .settings.own_table_file import OwnTableFile
 from .settings.preferences import Preferences
 from .sound.hearing import SILENCE, Ear
-from .table import library
 from .table.presets import size as table_size
-from .ui.exporting import export
 from .ui.layers import INPUT, MOUSE, Layers
 from .ui.pages import question
 from .ui.pages.menu import MenuPage
@@ -269,7 +268,7 @@ class App:
         """Write the shot on show as data and as a picture, and say where."""
         self.redraw()
         self.render()
-        export(self.session, self.canvas.surface, self.exports or library.folder())
+        shot_files.export(self.session, self.canvas.surface, self.exports)
         self.view.expose()  # what is said shows behind a page too
 
     def redraw(self, changed: bool = True) -> None:

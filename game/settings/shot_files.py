@@ -2,15 +2,36 @@
 
 from __future__ import annotations
 
+from io import BytesIO
 from itertools import count
 from pathlib import Path
 
+import pygame
+
 import danggu
+from game.session.session import Session
+from game.table import library
 from physics import World, whole_files
 
 from . import user_files
 
 FOLDER = "exports"
+
+
+def export(session: Session, picture: pygame.Surface, folder: Path | None) -> None:
+    """Write the shot on show, or how the balls lie before one, and say where, or why not.
+
+    folder: that of the user's own things if None.
+    """
+    image = BytesIO()
+    pygame.image.save(picture, image, "shot.png")
+    began = session.began if session.shown_shot else session.world.time
+    try:
+        path = write(folder or library.folder(), session.world, began, image.getvalue())
+    except OSError as error:
+        session.say("unexported", error=True, about=error.strerror or str(error))
+    else:
+        session.say("exported", about=shortly(path))
 
 
 def write(folder: Path | None, world: World, began: float, picture: bytes) -> Path:

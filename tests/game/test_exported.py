@@ -90,7 +90,7 @@ def test_where_the_picture_cannot_be_written_no_data_stay_and_the_reason_is_said
 
 def test_a_user_without_a_home_learns_why_there_is_no_file(app, monkeypatch):
     app.exports = None
-    monkeypatch.setattr("game.app.library.folder", lambda: None)
+    monkeypatch.setattr("game.settings.shot_files.library.folder", lambda: None)
     press(app, "f12")
     said, wrong = hint(app.session, app.view.sight.words)
     assert "no home folder" in said
