@@ -12,6 +12,7 @@ from game import __main__ as entry
 from game.settings.settings import Store
 from game.window import signals
 from tests.support.records import lines
+from tests.support.sampling import mostly
 
 DANGGU = [sys.executable, "-m", "game"]
 NAMES = [name for name in signals.NAMES if hasattr(signal, name)]
@@ -73,7 +74,9 @@ def test_a_hangup_that_the_shell_ignores_is_ignored(tmp_path):
 
 @posix
 @pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("where", ["physics", "numpy", "pygame", "game.app"])
+@pytest.mark.parametrize(
+    "where", mostly(["physics", "numpy", "pygame", "game.app"], quick=("pygame",))
+)
 def test_a_signal_while_the_program_starts_ends_it_without_a_traceback(name, where):
     code = (
         "import os, signal, sys, game.__main__ as entry\n"

@@ -16,6 +16,7 @@ from game.session.match_commands import pockets
 from game.text import LANGUAGES
 from physics import heading
 from tests.support.racked_games import RACKED, leave, played, playing, stroke
+from tests.support.sampling import mostly
 
 STRAIGHT = "1.6 -1 0 0"
 UP_RIGHT = complex(1, 1) / sqrt(2)
@@ -29,7 +30,12 @@ def test_every_game_of_the_rules_has_a_table():
     assert {*terms.GAMES} == {*rules.GAMES}
 
 
-@pytest.mark.parametrize("game", [name for name in terms.GAMES if name != "free"])
+OFTEN = ("8-ball", "snooker", "free-pyramid", "three-cushion", "four-ball")
+
+
+@pytest.mark.parametrize(
+    "game", mostly([name for name in terms.GAMES if name != "free"], quick=OFTEN)
+)
 def test_a_game_goes_on_for_ten_strokes_and_the_table_holds_the_balls_it_counts(game):
     session = playing(game)
     for _ in played(session, 1, 10 if game in RACKED else 4):
@@ -48,7 +54,7 @@ def test_a_whole_game_comes_to_its_end(game):
     assert session.contest.over
 
 
-@pytest.mark.parametrize("game", RACKED)
+@pytest.mark.parametrize("game", mostly(RACKED, quick=("9-ball", "snooker")))
 def test_undo_and_redo_go_through_strokes_with_balls_down_to_the_digit(game):
     session = playing(game)
     list(played(session, 4, 6))

@@ -19,6 +19,7 @@ from tests.support.players import (
     write,
 )
 from tests.support.racked_games import leave
+from tests.support.sampling import mostly
 
 GAMES = [name for name, one in terms.DISCIPLINES.items() if one.rules and not one.position]
 
@@ -191,7 +192,7 @@ def test_the_tray_follows_the_ball_that_is_played_with():
     assert_same_as_anew(app)
 
 
-@pytest.mark.parametrize("game", GAMES)
+@pytest.mark.parametrize("game", mostly(GAMES, quick=("9-ball", "snooker")))
 @pytest.mark.parametrize("lang", ["en", "ko"])
 def test_a_few_strokes_of_each_game_by_keys_look_the_same_in_part_and_anew(game, lang):
     app = app_of(game, lang=lang)

@@ -11,6 +11,7 @@ from game.session import terms
 from game.session.action import Action
 from game.session.commands import perform
 from tests.support.racked_games import RACKED, played
+from tests.support.sampling import mostly
 
 
 class Recorded:
@@ -23,7 +24,7 @@ class Recorded:
         self.recorder = Recorder(str(path), options, self.session)
 
 
-@pytest.mark.parametrize("game", RACKED)
+@pytest.mark.parametrize("game", mostly(RACKED, quick=("10-ball", "snooker")))
 def test_a_record_of_a_match_with_pockets_comes_out_the_same(tmp_path, monkeypatch, game):
     path = tmp_path / "game.txt"
     made = Recorded(path, game)

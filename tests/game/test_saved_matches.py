@@ -10,6 +10,7 @@ from game.session.commands import perform
 from game.session.session import Session
 from game.table import presets
 from tests.support.racked_games import played, playing
+from tests.support.sampling import mostly
 
 GAMES = [name for name in terms.GAMES if name != "free"]
 
@@ -18,7 +19,7 @@ def text_of(session):
     return saved.written(session.contest, session.world, session.shots)
 
 
-@pytest.mark.parametrize("game", GAMES)
+@pytest.mark.parametrize("game", mostly(GAMES, quick=("14.1", "snooker", "three-cushion")))
 def test_a_resumed_match_stands_as_it_was_and_goes_on_as_the_other_one_does(game):
     session = playing(game, seed=3)
     list(played(session, 5, 6 if session.contest.terms.discipline.position == "" else 3))
