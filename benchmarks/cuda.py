@@ -93,7 +93,7 @@ def ptx() -> str:
     import numba
     from numba import cuda
 
-    from physics.batch import cuda as card
+    from physics.batch import card
     from physics.batch.outcomes import Part
 
     world = scenes.carom()

@@ -94,13 +94,13 @@ def _card(device: str, executor: Executor | None, compiled: bool | None) -> Modu
         wrong = "executor" if executor is not None else "compiled=False"
         raise ValueError(f"simulate_many device='cuda' does the work itself: no {wrong}")
     try:
-        from . import cuda
+        from . import card
     except ImportError as error:
         raise ImportError(
             f"simulate_many device='cuda' needs the extra `cuda` (pip install 'danggu[cuda]'):"
             f" {error}"
         ) from error
-    return cuda
+    return card
 
 
 @cache

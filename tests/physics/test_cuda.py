@@ -86,8 +86,8 @@ def test_without_a_card_the_error_says_so():
 
 
 def test_without_numba_the_error_names_the_extra(monkeypatch):
-    monkeypatch.delitem(sys.modules, "physics.batch.cuda", raising=False)
-    monkeypatch.delattr("physics.batch.cuda", raising=False)
+    monkeypatch.delitem(sys.modules, "physics.batch.card", raising=False)
+    monkeypatch.delattr("physics.batch.card", raising=False)
     monkeypatch.setitem(sys.modules, "numba", None)
     assert "danggu[cuda]" in refused(ImportError, device="cuda")
 
