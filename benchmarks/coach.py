@@ -20,8 +20,8 @@ INNINGS = 200  # of a player at most
 # Players: the game, a level, how many plies it looks ahead, and strokes at most.
 THREE = "three-cushion"
 PLAYERS = (
-    (THREE, EXPERT, 1, 800), (THREE, EXPERT, 2, 300), (THREE, MASTER, 1, 60),
-    (THREE, MASTER, 2, 60), (THREE, NOVICE, 2, 60), (THREE, CLUB, 2, 60), (THREE, PERFECT, 2, 10),
+    (THREE, EXPERT, 1, 800), (THREE, EXPERT, 2, 200), (THREE, MASTER, 1, 40),
+    (THREE, MASTER, 2, 40), (THREE, NOVICE, 2, 40), (THREE, CLUB, 2, 40), (THREE, PERFECT, 2, 10),
 )  # fmt: skip
 HEADS = (
     "game", "level", "plies", "innings", "strokes", "points", "average", "high run", "share",
@@ -180,8 +180,9 @@ def positions(page: Report, effort: int) -> list[list[Any]]:
         f"{len(tried)} three-cushion positions at random, an expert to play: a way was found in"
         f" {n} of them, in {figure(middle)} s of CPU time (the median; the longest"
         f" {figure(longest)} s). The first way of each was replayed {COPIES} times with new errors:"
-        f" its share of {figure(share)} on average came out {figure(pooled)} higher, which is"
-        f" {figure(pooled * n / spread)} standard deviations; the squares of the {n} differences,"
+        f" its share of {figure(share)} on average came out {figure(abs(pooled))}"
+        f" {'higher' if pooled > 0.0 else 'lower'}, which is"
+        f" {figure(abs(pooled) * n / spread)} standard deviations; the squares of the {n} differences,"
         f" in standard deviations, add up to {figure(squares)}, where {n} ±"
         f" {figure(sqrt(2 * n))} are to be expected."
     )
