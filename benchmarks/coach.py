@@ -182,8 +182,8 @@ def positions(page: Report, effort: int) -> list[list[Any]]:
         f" {figure(longest)} s). The first way of each was replayed {COPIES} times with new errors:"
         f" its share of {figure(share)} on average came out {figure(abs(pooled))}"
         f" {'higher' if pooled > 0.0 else 'lower'}, which is"
-        f" {figure(abs(pooled) * n / spread)} standard deviations; the squares of the {n} differences,"
-        f" in standard deviations, add up to {figure(squares)}, where {n} ±"
+        f" {figure(abs(pooled) * n / spread)} standard deviations; the squares of the {n}"
+        f" differences, in standard deviations, add up to {figure(squares)}, where {n} ±"
         f" {figure(sqrt(2 * n))} are to be expected."
     )
     numbers = len(tried), n, share, pooled, spread / n, squares, longest, middle
