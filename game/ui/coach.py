@@ -5,6 +5,7 @@ from __future__ import annotations
 from danggu.players.levels import LEVELS
 from danggu.players.solution import Solution
 from danggu.rules import GAMES
+from danggu.rules.state import NO_CALL, Call
 from danggu.rules.verdict import Rules, Turn
 from game.aim import advice
 from game.computer.aide import Aide
@@ -32,7 +33,7 @@ class Coach:
         """Is the search going on?"""
         return self._ticket is not None
 
-    def look(self, session: Session, level: str) -> Action | None:
+    def look(self, session: Session, level: str) -> list[Action]:
         """What the game is to do: the next way, if the coach was asked for it or has found it.
 
         Ways from where the balls do not lie any more are forgotten.
@@ -44,43 +45,57 @@ class Coach:
             return self._step(session, level, steps)
         news = None if self._ticket is None else self.aide.look(self._ticket)
         if news is None:
-            return None
+            return []
         self._ticket = None
         self._ways = news.value if news.kind == "done" else []
         if self._ways:
             self._place = 0
-            return self._way(level)
+            return self._shown(session, level)
         session.say("coach.none" if news.kind == "done" else "coach.failed", error=True)
-        return None
+        return []
 
     def close(self) -> None:
         """End the search, and its process."""
         self.aide.close()
 
-    def _step(self, session: Session, level: str, steps: int) -> Action | None:
+    def _step(self, session: Session, level: str, steps: int) -> list[Action]:
         if self._ways:
             self._place = (self._place + steps) % len(self._ways)
-            return self._way(level)
+            return self._shown(session, level)
         found = played(session)
         if found is None:
             session.say("coach.game", error=True)
-            return None
+            return []
         session.say("coach.searching", about=level)
         if self._ticket is None:
             self._about = _about(session, level)
             skill = next(one for one in LEVELS if one.key == level)
             self._ticket = self.aide.ask(session.world.copy(), *found, skill)
-        return None
+        return []
 
-    def _way(self, level: str) -> Action:
-        count = len(self._ways)
-        way = advice.of(self._ways[self._place], self._place + 1, count, level)
-        return Action("suggest", way.line())
+    def _shown(self, session: Session, level: str) -> list[Action]:
+        """Declare what has to be declared, then show the way, so that the last word is of that."""
+        way = self._ways[self._place]
+        said = advice.of(way, self._place + 1, len(self._ways), level)
+        return [*calls(session, way.call), Action("suggest", said.line())]
 
     def _forget(self) -> None:
         if self._ticket is not None:
             self.aide.forget()
         self._ticket, self._ways, self._about = None, [], None
+
+
+def calls(session: Session, wanted: Call) -> list[Action]:
+    """What is to be said before a stroke with this call, beyond what has been said already."""
+    if session.contest is None:
+        return []
+    now, may = session.contest.match.call, session.contest.may_call
+    words = (("ball", wanted.ball, now.ball), ("pocket", wanted.pocket, now.pocket))
+    return [
+        Action("call", f"{word} {name}")
+        for word, name, said in words
+        if name and word in may and name != said
+    ]
 
 
 def played(session: Session) -> tuple[Rules, Turn] | None:
@@ -97,6 +112,6 @@ def played(session: Session) -> tuple[Rules, Turn] | None:
 
 
 def _about(session: Session, level: str) -> object:
-    """What a search is for."""
-    match = None if session.contest is None else session.contest.match
+    """What a search is for: whatever has been called, for it calls what it needs."""
+    match = None if session.contest is None else session.contest.match.called(NO_CALL)
     return id(session.world), session.cue, tuple(session.world.layout()), match, level

@@ -115,10 +115,11 @@ class View:
         """Does a process beside the window look for a shot?"""
         return self.sketch.searching or self.coach.searching
 
-    def found(self) -> list[Action | None]:
+    def found(self) -> list[Action]:
         """What the processes beside the window have found since the last frame."""
         session, level = self.session, self.preferences.settings.level
-        return [self.sketch.look(session), self.coach.look(session, level)]
+        drawn = self.sketch.look(session)
+        return [*([] if drawn is None else [drawn]), *self.coach.look(session, level)]
 
     def end(self) -> None:
         """End all that goes on beside the window."""

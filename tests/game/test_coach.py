@@ -8,6 +8,7 @@ import pytest
 from danggu.players.levels import EXPERT, Attempt
 from danggu.players.solution import Solution, Thickness, Tip
 from danggu.rules import GAMES
+from danggu.rules.state import Call
 from danggu.rules.verdict import Turn
 from game.aim import advice
 from game.computer import search
@@ -16,6 +17,7 @@ from game.computer.aide import Aide
 from game.computer.worker import News
 from game.session.action import Action
 from game.session.commands import RECORDED, fault, perform
+from game.session.match_commands import pockets
 from game.session.session import Session
 from game.session.terms import Contestant, Terms
 from game.table import presets
@@ -150,6 +152,23 @@ def test_a_match_may_be_played_without_the_coach():
         assert len(app.view.coach.aide.asked) == asked
         if not hints:
             assert app.session.notice.key == "refused.coach"
+
+
+def test_in_a_game_of_calls_it_calls_what_its_way_needs_and_steps_on_as_ever():
+    aide = Instant()
+    app = an_app_with(aide)
+    seats = Contestant("Ada"), Contestant("Bo")
+    app.perform(Action("match", Terms("14.1", seats, "pool-9").line()), sure=True)
+    places = sorted(pockets(app.session.world))[:3]
+    named = [Call(ball, place) for ball, place in zip(("3", "5", "3"), places, strict=True)]
+    aide.answers = [replace(one, call=call) for one, call in zip(WAYS, named, strict=True)]
+    frames(app)
+    for call in (*named, named[0]):
+        press(app, "h")
+        frames(app)
+        assert app.session.contest.match.call == call
+        assert app.session.notice.key == "coach.found"
+    assert len(aide.asked) == 1
 
 
 def test_a_player_who_knows_no_way_and_a_table_without_a_game_are_told_so():
