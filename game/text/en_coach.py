@@ -11,6 +11,7 @@ WORDS = {
     "set.level.perfect": "no error",
     "notice.refused.coach": "no coach in this match",
     "notice.coach.searching": "The coach looks for shots ({level}) …",
+    "notice.coach.long": "The first search takes a minute …",
     "notice.coach.none": "The coach finds no shot here",
     "notice.coach.failed": "The coach cannot search here",
     "notice.coach.game": "The coach needs a game · @[sheet menu]",

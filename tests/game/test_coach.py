@@ -20,7 +20,7 @@ from game.session.session import Session
 from game.session.terms import Contestant, Terms
 from game.table import presets
 from game.text import LANGUAGES
-from game.ui.coach import played
+from game.ui.coach import LONG, played
 from game.ui.panels import coach_words
 from physics import simulate
 from tests.support.players import an_app, press, run_to_rest
@@ -138,6 +138,19 @@ def test_a_search_goes_on_in_its_own_time_and_ends_with_the_window():
     aide = app.view.coach.aide
     app.close()
     assert aide.closed
+
+
+def test_a_search_that_takes_long_says_once_that_the_first_does():
+    app = an_app_with(Never())
+    coach, now = app.view.coach, [0.0]
+    coach._clock = lambda: now[0]
+    said = []
+    press(app, "h")
+    for now[0] in (1.0, LONG + 1.0, LONG + 2.0):
+        frames(app)
+        said.append((app.session.notice.key, app.session.news))
+    assert [key for key, _ in said] == ["coach.searching", "coach.long", "coach.long"]
+    assert said[1] == said[2]
 
 
 def test_a_match_may_be_played_without_the_coach():
