@@ -16,7 +16,7 @@ WORDS = {
     "notice.coach.failed": "The coach cannot search here",
     "notice.coach.game": "The coach needs a game · @[sheet menu]",
     "notice.coach.found": "{place}/{count} · {share} % · {hit} · {tip}",
-    "coach.hit": "{ball} {eighths}/8 {side}",
+    "coach.hit": "{ball}: {eighths}/8 {side}",
     "coach.hit.full": "{ball} full",
     "coach.hit.none": "cushion first",
     "coach.left": "left",

@@ -216,6 +216,14 @@ def test_it_says_which_way_how_sure_and_how_to_hit(language):
     assert w["coach.tip.centre"] in said
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_ball_hit_thinner_than_an_eighth_is_hit_all_the_same(language):
+    thin = replace(WAYS[0], thickness=Thickness("ball 9", 0.3, "right"))
+    said = coach_words.said(advice.of(thin, 1, 3, "expert"), LANGUAGES[language])
+    assert "<1/8" in said
+    assert "9 <" not in said  # not nine and something eighths
+
+
 def test_a_record_of_it_needs_no_search():
     app = an_app_with(Instant())
     press(app, "h")
