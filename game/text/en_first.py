@@ -67,7 +67,7 @@ WORDS = {
     "guide.3.1": "Press Enter, or the button at the bottom right.",
     "guide.3.2": "Every entry is one shot; @[retry] puts the balls back, Ctrl+Z takes a step back.",
     "guide.4": "That was your first shot",
-    "guide.4.1": "Drag the timeline to see it again · @[retry] plays it once more",
+    "guide.4.1": "Drag the timeline to see it again · @[retry] puts the balls back",
     "guide.4.2": "@[sheet shelf] drills · @[sheet menu] games · @[help] all keys",
     "guide.foot": "Click: next step · Esc or click here: skip the guide",
     "guide.end": "Esc or a click closes this",

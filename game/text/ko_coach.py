@@ -11,6 +11,7 @@ WORDS = {
     "set.level.perfect": "오차 없음",
     "notice.refused.coach": "이 경기에서는 코치에게 물을 수 없습니다",
     "notice.coach.searching": "코치가 길을 찾는 중 ({level}) …",
+    "notice.coach.long": "처음 찾을 때는 1분쯤 걸립니다 …",
     "notice.coach.none": "코치가 찾은 길이 없습니다",
     "notice.coach.failed": "여기서는 코치가 찾을 수 없습니다",
     "notice.coach.game": "먼저 게임을 고르세요 · @[sheet menu]",

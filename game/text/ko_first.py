@@ -65,7 +65,7 @@ WORDS = {
     "guide.3.1": "Enter를 누르거나 오른쪽 아래 단추를 누르세요.",
     "guide.3.2": "입력 한 번에 샷 한 번 · @[retry] 공 되돌리기 · Ctrl+Z 한 단계 되돌리기",
     "guide.4": "첫 샷을 쳤습니다",
-    "guide.4.1": "시간줄을 끌어 다시 보기 · @[retry] 한 번 더 치기",
+    "guide.4.1": "시간줄을 끌어 다시 보기 · @[retry] 공을 되돌리기",
     "guide.4.2": "@[sheet shelf] 연습 · @[sheet menu] 경기 · @[help] 모든 키",
     "guide.foot": "누르면 다음 단계 · Esc 또는 여기를 누르면 건너뛰기",
     "guide.end": "Esc 또는 누르면 닫힘",

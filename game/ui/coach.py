@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from math import inf
+from time import perf_counter
+
 from danggu.players.levels import LEVELS
 from danggu.players.solution import Solution
 from danggu.rules import GAMES
@@ -15,13 +19,17 @@ from game.session.session import Session
 
 FREE = ("three-cushion", "four-ball")
 """What is played on the free table, by its balls."""
+LONG = 4.0
+"""Seconds after which it says why it takes so long: the first search on a machine compiles."""
 
 
 class Coach:
     """The ways to score from the position on the table, and the search for them."""
 
-    def __init__(self) -> None:
+    def __init__(self, clock: Callable[[], float] = perf_counter) -> None:
         self.aide = Aide(ways)
+        self._clock = clock
+        self._long = inf
         self._ticket: int | None = None
         self._asked = 0
         self._about: object = None
@@ -45,6 +53,7 @@ class Coach:
             return self._step(session, level, steps)
         news = None if self._ticket is None else self.aide.look(self._ticket)
         if news is None:
+            self._wait(session)
             return []
         self._ticket = None
         self._ways = news.value if news.kind == "done" else []
@@ -71,7 +80,13 @@ class Coach:
             self._about = _about(session, level)
             skill = next(one for one in LEVELS if one.key == level)
             self._ticket = self.aide.ask(session.world.copy(), *found, skill)
+            self._long = self._clock() + LONG
         return []
+
+    def _wait(self, session: Session) -> None:
+        if self._ticket is not None and self._clock() >= self._long:
+            self._long = inf
+            session.say("coach.long")
 
     def _shown(self, session: Session, level: str) -> list[Action]:
         """Declare what has to be declared, then show the way, so that the last word is of that."""

@@ -254,9 +254,12 @@ class View:
     def _cards(self) -> Iterator[LaidCard]:
         """What lies over the table."""
         self.stage.diamonds.key(self.session, self.preferences.settings.diamonds)
-        yield from caption.cards(self.sight, self.stage.diamonds)
+        toast = self.toast.cards(self.sight)
+        for card in caption.cards(self.sight, self.stage.diamonds):
+            if card.rect.collidelist([over.rect for over in toast]) < 0:
+                yield card
         yield from self.guide.cards(self.sight)
-        yield from self.toast.cards(self.sight)
+        yield from toast
 
     def _wanted(self) -> Hashable:
         """What lies over the window: the page of keys, the settings, or None."""

@@ -22,7 +22,7 @@ from game.session.session import Session
 from game.session.terms import Contestant, Terms
 from game.table import presets
 from game.text import LANGUAGES
-from game.ui.coach import played
+from game.ui.coach import LONG, played
 from game.ui.panels import coach_words
 from physics import simulate
 from tests.support.players import an_app, press, run_to_rest
@@ -142,6 +142,19 @@ def test_a_search_goes_on_in_its_own_time_and_ends_with_the_window():
     assert aide.closed
 
 
+def test_a_search_that_takes_long_says_once_that_the_first_does():
+    app = an_app_with(Never())
+    coach, now = app.view.coach, [0.0]
+    coach._clock = lambda: now[0]
+    said = []
+    press(app, "h")
+    for now[0] in (1.0, LONG + 1.0, LONG + 2.0):
+        frames(app)
+        said.append((app.session.notice.key, app.session.news))
+    assert [key for key, _ in said] == ["coach.searching", "coach.long", "coach.long"]
+    assert said[1] == said[2]
+
+
 def test_a_match_may_be_played_without_the_coach():
     for hints, asked in ((True, 1), (False, 0)):
         app = an_app_with(Instant())
@@ -220,6 +233,14 @@ def test_it_says_which_way_how_sure_and_how_to_hit(language):
     said = coach_words.said(advice.of(bank, 1, 3, "expert"), w)
     assert w["coach.hit.none"] in said
     assert w["coach.tip.centre"] in said
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_ball_hit_thinner_than_an_eighth_is_hit_all_the_same(language):
+    thin = replace(WAYS[0], thickness=Thickness("ball 9", 0.3, "right"))
+    said = coach_words.said(advice.of(thin, 1, 3, "expert"), LANGUAGES[language])
+    assert "<1/8" in said
+    assert "9 <" not in said  # not nine and something eighths
 
 
 def test_a_record_of_it_needs_no_search():

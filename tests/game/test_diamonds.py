@@ -117,3 +117,14 @@ def test_the_numbers_are_computed_again_only_when_they_may_have_changed(monkeypa
     app.perform(Action("power", "2"))
     app.frame(FRAME)
     assert len(made) == 2
+
+
+def test_what_the_numbers_are_waits_until_a_toast_on_the_same_rail_has_gone():
+    app = an_app()
+    app.view.toast.say("toast.retry")
+    press(app, "d")
+    app.frame(0)
+    assert [card.key[0] for card in app.view.stage.over.cards] == ["toast"]
+    app.view.toast.left = 0.0
+    app.frame(FRAME)
+    assert [card.key[0] for card in app.view.stage.over.cards] == ["diamonds"]

@@ -22,6 +22,13 @@ TYPE = Type(1.0)
 ROWS = [cards.LogRow("0.21", ((theme.ACCENT, "W"),), "white", "흰 공")] * 20
 LANES = [lanes.Lane(theme.ACCENT, ((0.0, 1.0, 2.0),), (0.4,), ((0.5, 1),), (1.0,))] * 2
 WHITE = theme.WHITE
+
+
+def ball(surface, balls, spot):
+    """A ball and its shadow, as `draw_all` draws them; the rectangle around both."""
+    return balls.shadow(surface, spot).union(balls._put(surface, spot))
+
+
 DRAWN = {
     "polyline": lambda s: lines.polyline(s, [(100, 90), (400.5, 200.2), (380, 500)], WHITE, 1.7),
     "dashes": lambda s: lines.polyline(s, [(100, 90), (400, 200)], WHITE, 2, dashes=(9, 6)),
@@ -31,7 +38,7 @@ DRAWN = {
     "bounce": lambda s: lines.bounce(s, (300.3, 200.8), (0, -1), 11, WHITE, 1.0),
     "collision": lambda s: lines.collision(s, (300.3, 200.8), 1.0),
     "cue": lambda s: cue_stick.draw(s, LAYOUT, (-0.5, -0.3), 0.6, 0.05),
-    "ball": lambda s: sprites().draw(s, 0, (0.2, 0.3)),
+    "ball": lambda s: ball(s, sprites(), Spot(0, (0.2, 0.3))),
     "score": lambda s: cards.score(
         s, LAYOUT.score[0], TYPE, "선수 1", "평균 1.42", "12", "20", True, None, 0.6
     ),

@@ -39,6 +39,8 @@ def test_choices_stay_in_their_rows_and_rows_in_the_sheet(language, size, table)
     shown = [box for box in boxes if box]
     assert len(shown) == len(CHOSEN) + settings_view.keys_shown(sight.layout)
     assert all(rect.contains(box) for box in shown)
+    hint = rect.bottom - round(settings_view.FOOT * sight.layout.s)
+    assert all(box.bottom <= hint for box in shown)
     assert rect.size <= size
     for index, row in enumerate(CHOSEN):
         spots = [cell.rect for cell in settings_view.cells(index, sight)]

@@ -32,7 +32,7 @@ PAD = 28
 TOP = 66
 """Where the rows begin, below the title."""
 FOOT = 44
-ROW, GAP = 36, 10
+ROW, GAP = 34, 8
 SPLIT = 0.56
 """Share of the width at which the keys begin."""
 KEY_ROW = 26
@@ -111,7 +111,7 @@ def _side_by_side(
     s, found = sight.layout.s, []
     for key, word in words:
         wide = sight.type.width(word, 13) + round(20 * s)
-        found.append(Cell(pygame.Rect(left, row.y + round(4 * s), wide, round(26 * s)), key, word))
+        found.append(Cell(pygame.Rect(left, row.y + round(2 * s), wide, round(26 * s)), key, word))
         left += wide + round(3 * s)
     return found
 

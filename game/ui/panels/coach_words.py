@@ -18,7 +18,8 @@ def _hit(way: Advice, w: dict[str, str]) -> str:
     ball = ball_words(way.ball, w)
     if way.side == "full":
         return w["coach.hit.full"].format(ball=ball)
-    return w["coach.hit"].format(ball=ball, eighths=way.eighths, side=w[f"coach.{way.side}"])
+    eighths = way.eighths or "<1"
+    return w["coach.hit"].format(ball=ball, eighths=eighths, side=w[f"coach.{way.side}"])
 
 
 def _tip(way: Advice, w: dict[str, str]) -> str:
