@@ -17,6 +17,8 @@ from .rules.verdict import Rules, Turn
 if TYPE_CHECKING:
     from .players.levels import Level
 
+__all__ = ["Scores", "scores"]
+
 KEPT = 40  # contacts: most shots have fewer
 ALL = 10_000
 PIECE = 20_000  # shots of which contacts are kept at once: 13 MB
