@@ -5,10 +5,12 @@ from __future__ import annotations
 import argparse
 import sys
 from typing import Any
+from unicodedata import east_asian_width
 
 from physics import whole_files
 
 from . import LABS, lab, page, samples, text
+from .shape import Rows
 from .worksheet import Checked, Worksheet
 
 SAID = {0: "said.right", 1: "said.large", -1: "said.small"}
@@ -96,4 +98,24 @@ def said(sheet: Worksheet, checked: dict[str, Checked], options: argparse.Namesp
         for field in sheet.fields
     ]
     question = sheet.question(options.language)
-    return [sheet.title(options.language), "", question, "", say["said.fields"], *fields]
+    table = [f"{say['page.measured']}:", *columns(sheet.table(), options.language)]
+    title = sheet.title(options.language)
+    return [title, "", question, "", *table, "", say["said.fields"], *fields]
+
+
+def columns(rows: Rows, language: str) -> list[str]:
+    """A table as lines, in columns."""
+    lines = [[text.word(head, language) for head in rows.heads]]
+    lines += [[text.figure(cell, language) for cell in row] for row in rows.rows]
+    rooms = [max(map(width, column)) for column in zip(*lines, strict=True)]
+    return ["  " + "  ".join(map(flush_right, line, rooms)) for line in lines]
+
+
+def flush_right(word: str, room: int) -> str:
+    """With spaces before it, as many as the room leaves."""
+    return " " * (room - width(word)) + word
+
+
+def width(word: str) -> int:
+    """How many places of a terminal it takes: Korean letters take two."""
+    return sum(2 if east_asian_width(letter) in "WF" else 1 for letter in word)

@@ -2,8 +2,8 @@
 # # Uncertainty and chaos
 #
 # A player errs by a tenth of a degree. A hit between balls makes more of it: the error of direction
-# grows by about the distance rolled over the ball's diameter, some twentyfold, *at each hit*. After
-# three hits nobody knows anything, and that is why carom is hard, and the weather, too.
+# grows by about the distance rolled over the ball's diameter, five- to twentyfold, *at each hit*.
+# After three hits nobody knows anything, and that is why carom is hard, and the weather, too.
 
 # %%
 import matplotlib.pyplot as plt

@@ -97,6 +97,24 @@ def test_a_lab_is_asked_on_the_terminal(capsys):
     assert all(f"  {field.name} " in out for field in labs.lab("cradle").fields)
 
 
+@pytest.mark.parametrize("language", text.LANGUAGES)
+@pytest.mark.parametrize("name", labs.LABS)
+def test_the_terminal_has_the_measured_table_that_the_question_speaks_of(name, language, capsys):
+    assert main(["lab", name, "--seed", "7", "--language", language]) == 0
+    lines = [line.split() for line in capsys.readouterr().out.splitlines()]
+    for row in labs.lab(name, 7).table().rows:
+        assert " ".join(text.figure(cell, language) for cell in row).split() in lines
+
+
+def test_the_columns_of_a_terminal_stand_under_each_other_in_both_languages():
+    from danggu.labs.command import columns, width
+
+    for language in text.LANGUAGES:
+        lines = columns(labs.lab("right-angle").table(), language)
+        assert len({width(line) for line in lines}) == 1
+    assert width("공 1") == 4
+
+
 def test_without_a_name_all_labs_are_listed(capsys):
     assert main(["lab"]) == 0
     out = capsys.readouterr().out

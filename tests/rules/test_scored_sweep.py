@@ -47,6 +47,28 @@ def test_with_errors_it_is_worth_the_mean_of_its_copies(tmp_path, capsys):
         assert made[k] == pytest.approx(np.mean(wins), abs=1e-12)
 
 
+def test_scores_takes_balls_and_shots_as_simulate_many_does():
+    world, rules = world_of("opening", "three-cushion"), GAMES["three-cushion"]()
+    table = np.array([[4.0, angle, 0.0, 0.0, 2.0, 0.0] for angle in range(0, 360, 6)])
+    known = scores(world, "white", table, rules, level=CLUB, copies=5)
+    assert known.made.any()
+    for ball in ("white", world.ball("white")):
+        for shots in (table, table[:, :5], table.tolist(), [Shot(*row) for row in table]):
+            found = scores(world, ball, shots, rules, level=CLUB, copies=5)
+            assert [column.tolist() for column in found] == [column.tolist() for column in known]
+    assert not len(scores(world, "white", [], rules, level=CLUB).made)
+
+
+@pytest.mark.parametrize("level", [None, CLUB])
+@pytest.mark.parametrize(
+    "shots", [np.ones((3, 7)), np.ones(6), [[1.0, 2.0]]], ids=["seven", "flat", "two"]
+)
+def test_scores_refuses_what_is_no_table_of_shots(shots, level):
+    world, rules = world_of("opening", "three-cushion"), GAMES["three-cushion"]()
+    with pytest.raises(ValueError, match="rows of 5 or 6 numbers"):
+        scores(world, "white", shots, rules, level=level)
+
+
 @pytest.mark.parametrize("game", [game for game in GAMES if game not in (*RACKS, "free")])
 def test_a_cannon_game_is_swept_from_its_opening(game, capsys):
     assert main(["sweep", "--game", game, "--speed", "4", "--angle", "0,180"]) == 0

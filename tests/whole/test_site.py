@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 import physics
-from danggu import envs, labs, players, rules
+from danggu import envs, labs, players, rules, scores
 from physics import aim, laws, scenes, store, tables, tracks
 
 ROOT = Path(__file__).parents[2]
 MODULES = {
     "physics": physics, "danggu.players": players, "danggu.rules": rules, "danggu.envs": envs,
-    "danggu.labs": labs,
+    "danggu.labs": labs, "danggu.scores": scores,
     "physics.aim": aim, "physics.laws": laws, "physics.scenes": scenes, "physics.store": store,
     "physics.tables": tables, "physics.tracks": tracks,
 }  # fmt: skip

@@ -8,16 +8,16 @@ TEXT = {
         " the cloth brakes it and makes it turn, until it rolls. The table gives its speed at"
         " some moments.\n\n"
         "Draw the speed over time. Find the moment at which the line bends: from there on the"
-        " ball rolls. By which factor has the speed fallen? Which share of the kinetic energy,"
-        " that of turning included, has the cloth taken? From the slope, what is the friction"
-        " of the cloth (g = 9.81 m/s²)?\n\n"
-        "Then think on: with draw, a backward spin, the ball rolls more slowly in the end. With"
-        " how much draw (the speed of its surface) would it lie still instead of rolling? Try"
-        " it."
+        " ball rolls. By what factor has the speed fallen? What share of the kinetic energy,"
+        " rotation included, has the cloth taken? From the slope, what is the coefficient of"
+        " friction of the cloth (g = 9.81 m/s²)?\n\n"
+        "Then think further: with draw, a backward spin, the ball rolls more slowly in the end."
+        " With how much draw (the speed of its surface) would it lie still instead of rolling?"
+        " Try it."
     ),
     "five-sevenths.speed": "speed at which it begins to roll",
     "five-sevenths.time": "time until it rolls",
-    "five-sevenths.length": "way until it rolls",
+    "five-sevenths.length": "distance until it rolls",
     "five-sevenths.friction": "friction of the cloth μ",
     "five-sevenths.lost": "share of the energy that is lost",
     "five-sevenths.draw": "draw with which it stops, as a number above 0",
@@ -26,14 +26,14 @@ TEXT = {
     "right-angle.ask": (
         "The white runs at {speed:g} m/s and meets the red, which lies still; its draw has just"
         " been used up, so it slides without turning. The line of centres is {cut:g}° off its"
-        " way. Both balls weigh the same, and friction between them is left out.\n\n"
+        " path. Both balls weigh the same, and friction between them is left out.\n\n"
         "Were nothing lost, the two would part at a right angle: why? Here a little is lost"
-        " along the line of centres. Compute from the table the angle between the two ways"
+        " along the line of centres. Compute from the table the angle between the two paths"
         " right after the hit, and both speeds; measure the angle in the picture, too.\n\n"
-        "The red leaves along the line of centres. Take the parts of the white's velocity along"
-        " that line before and after, and find the restitution e."
+        "The red leaves along the line of centres. Take the components of the white's velocity"
+        " along that line before and after, and find the restitution e."
     ),
-    "right-angle.angle": "angle between the two ways",
+    "right-angle.angle": "angle between the two paths",
     "right-angle.white": "speed of the white after the hit",
     "right-angle.red": "speed of the red after the hit",
     "right-angle.e": "restitution e",
@@ -41,9 +41,9 @@ TEXT = {
     "thirty-degrees.title": "The 30° rule",
     "thirty-degrees.ask": (
         "The white rolls at {speed:g} m/s along the x axis and meets the red at a cut of"
-        " {cut:g}° (the line of centres is so far off its way). Nothing is lost in the hit."
-        " Right after it the white slides at a right angle to the red; but it has kept the spin"
-        " with which it rolled, so its way bends forward until it rolls again.\n\n"
+        " {cut:g}° (the angle between the line of centres and its path). Nothing is lost in the"
+        " hit. Right after it the white slides at a right angle to the red; but it has kept the"
+        " spin with which it rolled, so its path bends forward until it rolls again.\n\n"
         "Find by how much the white is turned right after the hit, and by how much in the end."
         " Players say: by about 30°, for any hit that is neither thin nor full.\n\n"
         "Change the cut (in the game, or with another seed) and find the greatest turn there"
@@ -59,8 +59,8 @@ TEXT = {
         "The white ({white_mass:g} kg) and the red ({red_mass:g} kg) slide towards each other"
         " and meet. The table gives the velocities right before and right after.\n\n"
         "Fill in the table of momenta: p = m v for each ball, x and y, and their sum, before"
-        " and after. Is momentum conserved, in both directions? Do the same for the kinetic"
-        " energy of moving, m v²/2. How much has gone, and where to?\n\n"
+        " and after. Is momentum conserved, in both directions? Do the same for the"
+        " translational kinetic energy, m v²/2. How much has gone, and where to?\n\n"
         "The impulse is along the line of centres: find its direction from the change of one"
         " ball's momentum, and then the restitution e, the ratio of the speeds along that line"
         " with which the balls part and closed."
@@ -74,11 +74,11 @@ TEXT = {
     "unknown-mass.title": "An unknown mass",
     "unknown-mass.ask": (
         "The white weighs {known:g} kg and runs at {speed:g} m/s. The red, as large, lies"
-        " still; nobody has weighed it. The line of centres is {cut:g}° off the white's way.\n\n"
+        " still; nobody has weighed it. The line of centres is {cut:g}° off the white's path.\n\n"
         "From the velocities in the table, what does the red weigh? Both components give an"
-        " answer: do they agree? Which is less touched by errors of measurement?\n\n"
-        "Find the restitution e as well, and the share of the kinetic energy of moving that is"
-        " lost."
+        " answer: do they agree? Which is less affected by errors of measurement?\n\n"
+        "Find the restitution e as well, and the share of the translational kinetic energy"
+        " that is lost."
     ),
     "unknown-mass.mass": "mass of the red",
     "unknown-mass.e": "restitution e",
@@ -86,11 +86,11 @@ TEXT = {
     # -- cushion-side --
     "cushion-side.title": "Angle off a cushion against side",
     "cushion-side.ask": (
-        "A ball rolls at {speed:g} m/s towards the right cushion, {angle:g}° off the line that"
-        " stands on it. It is played without side, with {side:g} m/s of side to the right (the"
+        "A ball rolls at {speed:g} m/s towards the right cushion, {angle:g}° off the normal"
+        " to it. It is played without side, with {side:g} m/s of side to the right (the"
         " speed of its surface), and with as much to the left.\n\n"
         "The table has the velocities right before and right after, for five sides. Find the"
-        " angle with which the ball leaves, from the line that stands on the cushion: above 0"
+        " angle with which the ball leaves, from the normal to the cushion: above 0"
         " where it goes on along the cushion, below 0 where it comes back. Does it leave as it"
         " came?\n\n"
         "Draw the angle against the side. With how much side to the right does the ball leave"
@@ -113,7 +113,7 @@ TEXT = {
     "rolling-resistance.brake": "deceleration",
     "rolling-resistance.roll": "coefficient of rolling resistance",
     "rolling-resistance.time": "time until it lies still",
-    "rolling-resistance.length": "way until it lies still",
+    "rolling-resistance.length": "distance until it lies still",
     # -- cradle --
     "cradle.title": "Newton's cradle",
     "cradle.ask": (
@@ -169,9 +169,9 @@ TEXT = {
     "thesis-masse.title": "Thesis, figure 1: a massé",
     "thesis-masse.ask": (
         "A ball runs at {speed:g} m/s along the x axis, with {follow:g} m/s of spin against its"
-        " way and {masse:g} m/s about it (massé). While it slides, the cloth pushes it against"
-        " the slip of its lowest point, always in the same direction: so its way is a parabola,"
-        " which here bends back.\n\n"
+        " motion and {masse:g} m/s about its path (massé). While it slides, the cloth pushes it"
+        " against the slip of its lowest point, always in the same direction: so its path is a"
+        " parabola, which here bends back.\n\n"
         "From the velocities in the table, find the acceleration: its size, as friction (g ="
         " 9.8 m/s²), and its direction. When and how far from its start does the ball turn"
         " back?\n\n"
@@ -183,7 +183,7 @@ TEXT = {
     "thesis-masse.push": "angle between the push and the x axis",
     "thesis-masse.friction": "friction of the cloth μ",
     "thesis-masse.speed": "speed with which it would roll",
-    "thesis-masse.angle": "angle between its way, rolling, and the x axis",
+    "thesis-masse.angle": "angle between its path, rolling, and the x axis",
     "thesis-cushion.title": "Thesis, figure 2: a cushion with side",
     "thesis-cushion.ask": (
         "A ball rolls straight into the right cushion, at {speed:g} m/s to begin with, with"
@@ -205,7 +205,7 @@ TEXT = {
         " two swap the parts of their velocities along the line of centres, each times 0.95.\n\n"
         "Find both speeds right after the hit. Add the momenta before and after as vectors: by"
         " how much do they differ? A law of nature may not do that: which of Newton's laws is"
-        " broken? Which share of the kinetic energy of moving is lost?"
+        " broken? What share of the translational kinetic energy is lost?"
     ),
     "thesis-oblique.title": "Thesis, figure 3: oblique",
     "thesis-oblique.ask": (
@@ -214,7 +214,7 @@ TEXT = {
         " swap the parts of their velocities along the line of centres, each times 0.95, and"
         " keep those across it.\n\n"
         "Find both speeds right after the hit, the momentum that is lost, as the length of a"
-        " vector, and the share of the kinetic energy of moving. In which direction is momentum"
+        " vector, and the share of the translational kinetic energy. In which direction is momentum"
         " lost, and why in that one? Play the same hit with another law (key L in the game) and"
         " compare."
     ),
@@ -229,7 +229,7 @@ TEXT = {
         }.items()
     },
     # -- words of tables and graphs --
-    "word.time": "time", "word.way": "way", "word.speed": "speed", "word.ball": "ball",
+    "word.time": "time", "word.way": "distance", "word.speed": "speed", "word.ball": "ball",
     "word.mass": "mass", "word.vx before": "vx before", "word.vy before": "vy before",
     "word.vx after": "vx after", "word.vy after": "vy after", "word.side": "side",
     "word.angle": "angle", "word.collision": "collision", "word.light vx": "light, vx",
