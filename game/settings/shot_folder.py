@@ -71,15 +71,23 @@ class ShotFolder:
         if self.path is None:
             return []
         try:
-            found = [(f.stat().st_mtime, f) for f in self.path.iterdir() if f.suffix == ENDS]
+            found = [file for file in self.path.iterdir() if file.suffix == ENDS]
         except OSError:
             return []
-        return [file for _, file in sorted(found, key=lambda one: (-one[0], one[1].name))]
+        return sorted(found, key=lambda file: (-_written(file), file.name))
 
 
 def fit(name: str) -> str:
     """Return a name as a file can have it: what some system does not take becomes a dash."""
     return UNFIT.sub("-", plain(name))[:LONGEST].strip(" .")
+
+
+def _written(file: Path) -> float:
+    """When, s; long ago for a link that leads nowhere, and for what another game has deleted."""
+    try:
+        return file.stat().st_mtime
+    except OSError:
+        return 0.0
 
 
 def _read(file: Path) -> SharedShot | None:
