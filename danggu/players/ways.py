@@ -61,12 +61,9 @@ def solutions(
     plies: 2, the positions that a stroke leaves count too, if the budget is 40 000 at least; 1,
     they do not.
     compiled: by the compiled kernel (ImportError without numba)? None: where numba is installed.
-    ValueError if there is no ball to play with, if one moves, and for a budget, `most`, plies or
-    seed that is none.
+    ValueError without a ball to play with, if one moves, and for a number that is none.
     """
-    _check(budget, most, plies, seed)
-    if not world.at_rest:
-        raise ValueError("solutions needs a world whose balls are at rest")
+    _check(world, budget, most, plies, seed)
     bench, rng = Bench(world, rules, turn, compiled), np.random.default_rng(seed)
     total = budget or (COMPILED if bench.compiled else INTERPRETED)
     if rules.key in KINDS:
@@ -87,7 +84,9 @@ def solutions(
     return [_measured(bench, running, row, level, copies, rng) for row in rows]
 
 
-def _check(budget: int | None, most: int, plies: int, seed: int) -> None:
+def _check(world: World, budget: int | None, most: int, plies: int, seed: int) -> None:
+    if not world.at_rest:
+        raise ValueError("solutions needs a world whose balls are at rest")
     for name, number in (("budget", 1 if budget is None else budget), ("most", most)):
         if type(number) is not int or number < 1:
             raise ValueError(f"solutions {name} must be a whole number above 0, not {number!r:.60}")
