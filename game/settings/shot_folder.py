@@ -17,6 +17,8 @@ from . import user_files
 ENDS = ".txt"
 MOST = 500
 """Files that are listed at most, the newest first."""
+LARGEST = 1 << 14
+"""Bytes of a file at most: a shot at 22 balls has a thousand."""
 LONGEST = 60
 """Characters of a name at most: file systems take 255 bytes."""
 UNFIT = re.compile(r'[\\/:*?"<>|\x00-\x1f]')
@@ -92,6 +94,6 @@ def _written(file: Path) -> float:
 
 def _read(file: Path) -> SharedShot | None:
     try:
-        return shared.read(user_files.read(file))
+        return shared.read(user_files.read(file, LARGEST))
     except (OSError, UnicodeDecodeError, LineError):
         return None

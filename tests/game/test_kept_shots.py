@@ -197,6 +197,16 @@ def test_a_link_that_leads_nowhere_hides_no_other_shot_and_lets_none_be_overwrit
     }  # fmt: skip
 
 
+def test_a_file_far_longer_than_a_shot_is_a_broken_one_without_being_read_through(app):
+    folder, line = app.view.shots, "danggu1 medium white=0,0"
+    folder.path.mkdir()
+    (folder.path / "long.txt").write_text(line + " " * (1 << 14))
+    (folder.path / "short.txt").write_text(line + "\n")
+    assert {kept.name: bool(kept.shot) for kept in folder.shots()} == {
+        "long": False, "short": True,
+    }  # fmt: skip
+
+
 def test_without_a_folder_the_page_says_that_nothing_can_be_saved(app):
     app.view.shots.path = None
     press(app, "ctrl+s", "return")
