@@ -49,8 +49,10 @@ def scores(
     executor, progress: as in `simulate_many`; a copy is a shot.
     early: end each shot when its verdict is settled. That changes no verdict: only the contacts
     after it are not played.
-    ValueError for what `simulate_many` refuses.
+    ValueError for what `simulate_many` refuses, and for copies that are none.
     """
+    if type(copies) is not int or copies < 1:
+        raise ValueError(f"copies must be a whole number above 0, not {copies!r:.60}")
     rng, cue, shots = np.random.default_rng(seed), world.ball(ball), _table(shots)
     copies, turn = copies if level else 1, Turn(cue=cue.name)
     until = rules.enough(turn, [each.name for each in world.balls]) if early else ()

@@ -120,7 +120,7 @@ def number(name: str, value: object) -> float:
     """An answer as a number: the typographic minus and spaces around are taken, too."""
     try:
         found = float(value.replace("−", "-") if isinstance(value, str) else value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         found = float("nan")
     if isinstance(value, bool) or not isfinite(found):
         raise ValueError(f"{name}: an answer is a number, not {value!r:.40}")

@@ -10,6 +10,7 @@ from physics import Shot
 
 # Radii off the centre of the ball beyond which a chalked tip slips (friction 0.6: 0.6/√1.36).
 MISCUE = 0.51
+WILDEST = 1000  # an error of any kind: a ball at a million m/s would roll for days
 SLOWEST = 0.05  # m/s: an error never makes a stroke none
 
 
@@ -48,12 +49,19 @@ class Level:
     angle: degrees.
     speed: share of the speed.
     tip: mm on the ball, in each direction.
+    ValueError for one that is not from 0 to 1000.
     """
 
     key: str
     angle: float
     speed: float
     tip: float
+
+    def __post_init__(self) -> None:
+        for name in ("angle", "speed", "tip"):
+            error = getattr(self, name)
+            if not 0.0 <= error <= WILDEST:
+                raise ValueError(f"Level.{name} must be from 0 to {WILDEST}, not {error!r:.60}")
 
     def missed(self, aim: Attempt, rng: Random, radius: float) -> Attempt:
         """The aim as this level carries it out on a ball of `radius` m; four draws of `rng`."""

@@ -56,14 +56,14 @@ def solutions(
     level: how well the stroke is carried out.
     budget: strokes tried, about; None: 160 000, with pockets 20 000, if numba is there (under a
     second), else 3 000 (a second or two).
-    seed: the outcome depends on it and the other arguments alone, not on time.
+    seed: from 0 on; the outcome depends on it and the other arguments alone, not on time.
     most: ways that are returned at most.
     plies: 2, the positions that a stroke leaves count too, if the budget is 40 000 at least; 1,
     they do not.
     compiled: by the compiled kernel (ImportError without numba)? None: where numba is installed.
-    ValueError if there is no ball to play with, and for a budget, `most` or plies that is none.
+    ValueError without a ball to play with, if one moves, and for a number that is none.
     """
-    _check(budget, most, plies)
+    _check(world, budget, most, plies, seed)
     bench, rng = Bench(world, rules, turn, compiled), np.random.default_rng(seed)
     total = budget or (COMPILED if bench.compiled else INTERPRETED)
     if rules.key in KINDS:
@@ -84,12 +84,16 @@ def solutions(
     return [_measured(bench, running, row, level, copies, rng) for row in rows]
 
 
-def _check(budget: int | None, most: int, plies: int) -> None:
+def _check(world: World, budget: int | None, most: int, plies: int, seed: int) -> None:
+    if not world.at_rest:
+        raise ValueError("solutions needs a world whose balls are at rest")
     for name, number in (("budget", 1 if budget is None else budget), ("most", most)):
         if type(number) is not int or number < 1:
             raise ValueError(f"solutions {name} must be a whole number above 0, not {number!r:.60}")
     if plies not in (1, 2):
         raise ValueError(f"solutions plies must be 1 or 2, not {plies!r:.60}")
+    if type(seed) is not int or seed < 0:
+        raise ValueError(f"solutions seed must be a whole number from 0 on, not {seed!r:.60}")
 
 
 def _style(bench: Bench) -> Style:

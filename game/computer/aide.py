@@ -9,7 +9,7 @@ from contextlib import suppress
 from multiprocessing.connection import Connection
 from typing import Any
 
-from .worker import YIELDS, News
+from .worker import YIELDS, News, begin, end
 
 Question = tuple[object, ...]
 
@@ -59,7 +59,7 @@ class Aide:
     def close(self) -> None:
         """End the process, whatever it is doing."""
         if self._process is not None and self._ours is not None:
-            self._process.kill()
+            end(self._process)
             self._ours.close()
         self._process = self._ours = self._busy = self._next = None
 
@@ -76,7 +76,7 @@ class Aide:
         context = multiprocessing.get_context("spawn")
         self._ours, theirs = context.Pipe()
         self._process = context.Process(target=_answers, args=(theirs, self._work), daemon=True)
-        self._process.start()
+        begin(self._process)
         theirs.close()
 
     def _received(self) -> News | None:

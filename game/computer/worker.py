@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable
 from contextlib import suppress
 from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
 from typing import Any, NamedTuple
 
 Tell = Callable[[object], None]
@@ -33,7 +34,7 @@ class Worker:
         context = multiprocessing.get_context("spawn")
         self._ours, theirs = context.Pipe(duplex=False)
         self._process = context.Process(target=_work, args=(theirs, work, given), daemon=True)
-        self._process.start()
+        begin(self._process)
         theirs.close()
 
     def look(self) -> News | None:
@@ -50,8 +51,20 @@ class Worker:
 
     def cancel(self) -> None:
         """End it, whatever it is doing; what is left of it goes with the next one that begins."""
-        self._process.kill()
+        end(self._process)
         self._ours.close()
+
+
+def begin(process: BaseProcess) -> None:
+    """Start it; where the system allows no more processes, it is as one that has ended at once."""
+    with suppress(OSError):
+        process.start()
+
+
+def end(process: BaseProcess) -> None:
+    """Kill it, if it has started."""
+    if process.pid is not None:
+        process.kill()
 
 
 def _work(theirs: Connection, work: Callable[..., Any], given: tuple[object, ...]) -> None:

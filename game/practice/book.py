@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from math import isfinite
 from pathlib import Path
 from typing import NamedTuple
 
@@ -100,7 +99,7 @@ def _good(one: object) -> bool:
     if not all(type(n) is int and 0 <= n <= MOST for n in counts) or one["stars"] > STARS:
         return False
     best = one["best"]
-    return best is None or (type(best) in (int, float) and isfinite(best) and 0 <= best <= MOST)
+    return best is None or (type(best) in (int, float) and 0 <= best <= MOST)
 
 
 def _text(known: dict[str, Reached]) -> str:

@@ -17,6 +17,8 @@ from . import user_files
 ENDS = ".txt"
 MOST = 500
 """Files that are listed at most, the newest first."""
+LARGEST = 1 << 14
+"""Bytes of a file at most: a shot at 22 balls has a thousand."""
 LONGEST = 60
 """Characters of a name at most: file systems take 255 bytes."""
 UNFIT = re.compile(r'[\\/:*?"<>|\x00-\x1f]')
@@ -71,10 +73,10 @@ class ShotFolder:
         if self.path is None:
             return []
         try:
-            found = [(f.stat().st_mtime, f) for f in self.path.iterdir() if f.suffix == ENDS]
+            found = [file for file in self.path.iterdir() if file.suffix == ENDS]
         except OSError:
             return []
-        return [file for _, file in sorted(found, key=lambda one: (-one[0], one[1].name))]
+        return sorted(found, key=lambda file: (-_written(file), file.name))
 
 
 def fit(name: str) -> str:
@@ -82,8 +84,16 @@ def fit(name: str) -> str:
     return UNFIT.sub("-", plain(name))[:LONGEST].strip(" .")
 
 
+def _written(file: Path) -> float:
+    """When, s; long ago for a link that leads nowhere, and for what another game has deleted."""
+    try:
+        return file.stat().st_mtime
+    except OSError:
+        return 0.0
+
+
 def _read(file: Path) -> SharedShot | None:
     try:
-        return shared.read(user_files.read(file))
+        return shared.read(user_files.read(file, LARGEST))
     except (OSError, UnicodeDecodeError, LineError):
         return None

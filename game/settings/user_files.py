@@ -30,17 +30,17 @@ def folder(found: Callable[..., Path]) -> Path | None:
     return path if path.is_absolute() else None
 
 
-def read(path: Path) -> str:
+def read(path: Path, most: int = MOST) -> str:
     """Return the text of a regular file, with or without a byte order mark.
 
-    FileNotFoundError if there is none; OSError if it is no such file, or cannot be read;
-    UnicodeDecodeError if it is no text.
+    FileNotFoundError if there is none; OSError if it is no such file, is longer than `most` bytes,
+    or cannot be read; UnicodeDecodeError if it is no text.
     """
     real = whole_files.regular(path)
     with real.open("rb") as file:
-        data = file.read(MOST + 1)
-    if len(data) > MOST:
-        raise OSError(errno.EFBIG, f"longer than {MOST} bytes")
+        data = file.read(most + 1)
+    if len(data) > most:
+        raise OSError(errno.EFBIG, f"longer than {most} bytes")
     return data.decode("utf-8-sig")
 
 

@@ -188,6 +188,18 @@ def test_a_broken_book_is_kept_beside_and_a_drill_of_a_later_game_stays(tmp_path
     assert {*json.loads(path.read_text())["drills"]} == {"new.one", "pool.stop"}
 
 
+@pytest.mark.parametrize(
+    "best", [10**400, -1, True, "0.1", float("nan"), float("inf")], ids=lambda best: str(best)[:5]
+)
+def test_a_best_that_is_no_number_of_a_drill_is_not_taken(tmp_path, best):
+    path = tmp_path / "drills.json"
+    drills = {"pool.stop": {"stars": 1, "best": best, "tries": 1, "made": 1}}
+    path.write_text(json.dumps({"format": "danggu drills", "version": 1, "drills": drills}))
+    book = Book(path)
+    assert book.of("pool.stop") == Reached()
+    assert book.faulty
+
+
 def test_without_room_the_best_is_known_until_the_game_ends(tmp_path):
     (tmp_path / "file").write_text("")
     book = Book(tmp_path / "file" / "drills.json")

@@ -186,6 +186,27 @@ def test_a_broken_file_is_listed_as_one_and_opens_nothing(tmp_path, app):
     assert not list(folder.iterdir())
 
 
+def test_a_link_that_leads_nowhere_hides_no_other_shot_and_lets_none_be_overwritten(tmp_path, app):
+    folder = app.view.shots
+    first, second = (shared.read(f"danggu1 medium white=0,0 red1={x},0.1") for x in (0.1, 0.2))
+    folder.save("mine", first)
+    (tmp_path / "shots" / "gone.txt").symlink_to(tmp_path / "nowhere")
+    assert folder.save("mine", second) == "mine (2)"
+    assert {kept.name: kept.shot for kept in folder.shots()} == {
+        "mine": first, "mine (2)": second, "gone": None,
+    }  # fmt: skip
+
+
+def test_a_file_far_longer_than_a_shot_is_a_broken_one_without_being_read_through(app):
+    folder, line = app.view.shots, "danggu1 medium white=0,0"
+    folder.path.mkdir()
+    (folder.path / "long.txt").write_text(line + " " * (1 << 14))
+    (folder.path / "short.txt").write_text(line + "\n")
+    assert {kept.name: bool(kept.shot) for kept in folder.shots()} == {
+        "long": False, "short": True,
+    }  # fmt: skip
+
+
 def test_without_a_folder_the_page_says_that_nothing_can_be_saved(app):
     app.view.shots.path = None
     press(app, "ctrl+s", "return")

@@ -2,7 +2,9 @@
 
 import os
 import time
+from multiprocessing.process import BaseProcess
 
+from game.computer.aide import Aide
 from game.computer.worker import News, Worker
 
 
@@ -42,3 +44,16 @@ def test_what_goes_wrong_comes_back_in_words():
 
 def test_a_process_that_dies_is_a_failure_and_no_error():
     assert heard(Worker(dies)) == [News("failed", "the process has ended")]
+
+
+def test_where_no_process_can_begin_that_is_a_failure_too(monkeypatch):
+    def refused(process):
+        raise BlockingIOError(11, "Resource temporarily unavailable")
+
+    monkeypatch.setattr(BaseProcess, "start", refused)
+    ended = News("failed", "the process has ended")
+    worker, aide = Worker(counts, 2), Aide(counts)
+    assert heard(worker) == [ended]
+    worker.cancel()
+    assert [aide.look(aide.ask(2)) for _ in range(2)] == [ended, ended]
+    aide.close()

@@ -18,7 +18,7 @@ from danggu.players.outlook import outlook
 from danggu.players.solution import Tip
 from danggu.players.tolerances import thickness, tolerance, until
 from danggu.rules import GAMES, Match, Player, Turn
-from physics import Ball, World, simulate, tables
+from physics import Ball, Shot, World, simulate, tables
 
 LIES = {
     "three-cushion": {"white": (-0.7, 0.1), "yellow": (0.3, 0.4), "red": (0.5, -0.3)},
@@ -144,6 +144,13 @@ def test_a_table_without_its_ball_is_refused() -> None:
         solutions(tables.match_carom(), GAMES["three-cushion"](), Turn(), EXPERT)
 
 
+def test_a_table_where_a_ball_still_rolls_is_refused() -> None:
+    world = laid("four-ball")
+    world.strike("red1", Shot(speed=1.0, angle=0.0))
+    with pytest.raises(ValueError, match="at rest"):
+        solutions(world, GAMES["four-ball"](), Turn(), EXPERT, 10)
+
+
 def test_a_ball_that_is_hit_directly_gives_its_width_as_tolerance_and_its_thickness() -> None:
     world = tables.match_carom()
     world.add(Ball("white", at=(0.0, 0.0)))
@@ -220,8 +227,11 @@ def test_a_game_with_pockets_is_refused_on_a_table_without() -> None:
         solutions(world, GAMES["9-ball"](), Turn("cue"), EXPERT)
 
 
-@pytest.mark.parametrize(("name", "value"), [("budget", 0), ("most", 0), ("plies", 3)])
-def test_what_cannot_be_asked_for_is_refused_by_name(name: str, value: int) -> None:
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("budget", 0), ("most", 0), ("plies", 3), ("seed", -1), ("seed", None), ("seed", 1.5)],
+)
+def test_what_cannot_be_asked_for_is_refused_by_name(name: str, value: object) -> None:
     with pytest.raises(ValueError, match=f"{name} must be .*, not {value}"):
         solutions(laid("four-ball"), GAMES["four-ball"](), Turn(), EXPERT, **{name: value})
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from danggu.players.errors import missed
-from danggu.players.levels import EXPERT, MISCUE, NOVICE, PERFECT, Attempt
+from danggu.players.levels import EXPERT, MISCUE, NOVICE, PERFECT, Attempt, Level
 
 RADIUS = 0.03075
 SHOTS = np.array([[3.0, 40.0, 1.5, 0.2, -2.0, 0.4], [2.0, 170.0, 0.0, 0.0, 0.0, 0.0]])
@@ -46,3 +46,12 @@ def test_no_error_makes_the_tip_slip_or_a_stroke_none():
 def test_the_same_seed_draws_the_same_errors():
     first, again = (missed(SHOTS, EXPERT, 4, RADIUS, generator()) for _ in range(2))
     assert np.array_equal(first, again)
+
+
+@pytest.mark.parametrize("error", [-0.1, float("nan"), float("inf"), 1e9])
+@pytest.mark.parametrize("place", [0, 1, 2])
+def test_an_error_that_no_player_makes_is_refused_by_name(place, error):
+    errors = [0.1, 0.1, 0.1]
+    errors[place] = error
+    with pytest.raises(ValueError, match=f"Level.{('angle', 'speed', 'tip')[place]} must be"):
+        Level("odd", *errors)

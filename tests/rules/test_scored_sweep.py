@@ -143,3 +143,10 @@ def test_what_cannot_be_swept_is_said(arguments, message, capsys):
     assert code == 2
     assert message in printed.err
     assert printed.out == ""
+
+
+@pytest.mark.parametrize("copies", [0, -1, 1.5, True])
+def test_copies_that_are_none_are_refused(copies):
+    world, rules = world_of("opening", "three-cushion"), GAMES["three-cushion"]()
+    with pytest.raises(ValueError, match="copies must be a whole number above 0, not"):
+        scores(world, "white", np.ones((2, 6)), rules, level=CLUB, copies=copies)
