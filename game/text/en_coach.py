@@ -15,7 +15,7 @@ WORDS = {
     "notice.coach.none": "The coach finds no shot here",
     "notice.coach.failed": "The coach cannot search here",
     "notice.coach.game": "The coach needs a game · @[sheet menu]",
-    "notice.coach.found": "{place}/{count} · {share} % · {hit} · {tip}",
+    "coach.found": "{place}/{count} · {share} % · {hit} · {tip}",
     "coach.hit": "{ball}: {eighths}/8 {side}",
     "coach.hit.full": "{ball} full",
     "coach.hit.none": "cushion first",

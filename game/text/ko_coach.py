@@ -15,7 +15,7 @@ WORDS = {
     "notice.coach.none": "코치가 찾은 길이 없습니다",
     "notice.coach.failed": "여기서는 코치가 찾을 수 없습니다",
     "notice.coach.game": "먼저 게임을 고르세요 · @[sheet menu]",
-    "notice.coach.found": "{place}/{count} · {share} % · {hit} · {tip}",
+    "coach.found": "{place}/{count} · {share} % · {hit} · {tip}",
     "coach.hit": "{ball} {side} {eighths}/8",
     "coach.hit.full": "{ball} 정면",
     "coach.hit.none": "쿠션 먼저",

@@ -15,6 +15,9 @@ from game.computer import search
 from game.computer.advised import Advised
 from game.computer.aide import Aide
 from game.computer.worker import News
+from game.input.captions import words
+from game.render.font import Type
+from game.render.parts import fields
 from game.session.action import Action
 from game.session.commands import RECORDED, fault, perform
 from game.session.match_commands import pockets
@@ -25,6 +28,7 @@ from game.text import LANGUAGES
 from game.ui.coach import LONG, played
 from game.ui.panels import coach_words
 from physics import simulate
+from tests.support.pictures import layouts
 from tests.support.players import an_app, press, run_to_rest
 
 
@@ -241,6 +245,18 @@ def test_a_ball_hit_thinner_than_an_eighth_is_hit_all_the_same(language):
     said = coach_words.said(advice.of(thin, 1, 3, "expert"), LANGUAGES[language])
     assert "<1/8" in said
     assert "9 <" not in said  # not nine and something eighths
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("layout", layouts(), ids=lambda v: f"{v.size[0]}-{v.length}")
+def test_the_longest_that_it_says_fits_into_two_lines(language, layout):
+    w, letters = words(language), Type(layout.s)
+    room = layout.hint.w - round(18 * layout.s)
+    far, ball = Tip(12, 1.4), max(w, key=lambda k: k.startswith("ball.") * letters.width(w[k], 11))
+    hit = Thickness(ball.removeprefix("ball."), 7.0, "right")
+    way = replace(WAYS[0], share=1.0, thickness=hit, tip=far)
+    lines = fields._halves(coach_words.said(advice.of(way, 10, 12, "expert"), w), letters, room)
+    assert not any("…" in line for line in lines), lines
 
 
 def test_a_record_of_it_needs_no_search():

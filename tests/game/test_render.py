@@ -14,6 +14,7 @@ from game.render.font import Type
 from game.render.layout import Layout
 from game.render.parts import cards, fields, gauges, lanes, shapes
 from game.render.table import background, cue_stick, fan, lines
+from game.render.table.balls import Spot
 from game.render.table.obstacles import Thing
 from tests.support.pictures import TABLES, black, changed, layouts, pixels, same, sprites
 

@@ -151,7 +151,7 @@ def hint(
         left += round(18 * s)
     ink, room = sign or theme.TEXT_SOFT, rect.right - round(6 * s) - left
     middle = rect.centery + type_.cap(13) / 2
-    if PATH in string and type_.width(string, 13) > room:
+    if type_.width(string, 13) > room:
         for k, line in enumerate(_halves(string, type_, room)):
             base = rect.centery + type_.cap(11) / 2 + (k - 0.5) * 15 * s
             type_.draw(surface, line, (left, base), 11, ink)
@@ -161,7 +161,7 @@ def hint(
 
 
 def _halves(string: str, type_: Type, room: float) -> tuple[str, str]:
-    """A text with a path in it as two lines, cut where a word or a folder ends."""
+    """A text as two lines, cut where a word or a folder of a path ends."""
     ends = [k for k, c in enumerate(string, 1) if c in f" {PATH}"]
     cut = max((k for k in ends if type_.width(string[:k], 11) <= room), default=len(string))
     return type_.fitted(string[:cut], 11, room), type_.fitted(string[cut:], 11, room)

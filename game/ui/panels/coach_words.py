@@ -9,7 +9,7 @@ from game.ui.table.looks import ball_words
 def said(way: Advice, w: dict[str, str]) -> str:
     """The number of the way, its share, how full the first ball is hit and where the tip is."""
     named = {"place": way.place, "count": way.ways, "share": way.share}
-    return w["notice.coach.found"].format(**named, hit=_hit(way, w), tip=_tip(way, w))
+    return w["coach.found"].format(**named, hit=_hit(way, w), tip=_tip(way, w))
 
 
 def _hit(way: Advice, w: dict[str, str]) -> str:
