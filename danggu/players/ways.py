@@ -65,8 +65,7 @@ def solutions(
     """
     _check(budget, most, plies)
     bench, rng = Bench(world, rules, turn, compiled), np.random.default_rng(seed)
-    total = budget or (COMPILED if bench.compiled else INTERPRETED)
-    level = level_of(level)
+    total, level = budget or (COMPILED if bench.compiled else INTERPRETED), level_of(level)
     if rules.key in KINDS:
         total = budget or (COMPILED // SLOWER if bench.compiled else INTERPRETED)
         return pot_ways(world, rules, turn, level, total, most, bench.compiled, rng)
