@@ -12,6 +12,7 @@ import numpy as np
 from physics import Ball, Shot, World, simulate_many
 
 from .players.errors import missed
+from .players.levels import level_of
 from .rules.verdict import Rules, Turn
 
 if TYPE_CHECKING:
@@ -37,15 +38,15 @@ class Scores(NamedTuple):
 
 
 def scores(
-    world: World, ball: Ball | str, shots: Any, rules: Rules, *, level: Level | None = None,
+    world: World, ball: Ball | str, shots: Any, rules: Rules, *, level: Level | str | None = None,
     copies: int = 1, seed: int | None = 0, executor: Executor | None = None,
     progress: Callable[[int], object] | None = None, early: bool = False,
 ) -> Scores:  # fmt: skip
     """What each of the shots at `ball` is worth by the rules, from the world as it is.
 
     shots: `Shot`s, or an array (shots, 6) or (shots, 5), as `simulate_many` takes them.
-    level: of the player; each shot is then played `copies` times with its errors, drawn from the
-    seed. None: as it is.
+    level: of the player, or its key; each shot is then played `copies` times with its errors,
+    drawn from the seed. None: as it is.
     executor, progress: as in `simulate_many`; a copy is a shot.
     early: end each shot when its verdict is settled. That changes no verdict: only the contacts
     after it are not played.
@@ -62,7 +63,7 @@ def scores(
     for k in range(0, len(shots), step):
         table = shots[k : k + step]
         if level is not None:
-            table = missed(table, level, copies, cue.radius, rng)
+            table = missed(table, level_of(level), copies, cue.radius, rng)
         worth[k : k + step] = _judged(world, turn, table, rules, how).reshape(-1, copies, 3)
     return Scores(*worth.mean(axis=1).T)
 

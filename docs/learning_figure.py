@@ -24,7 +24,8 @@ def plain():
     """(name, share) of the players that do not learn."""
     with (DOCS.parent / "benchmarks" / "results" / "envs.csv").open() as file:
         for row in csv.DictReader(file):
-            if (row["what"], row["game"], row["noise"]) == ("player", GAME, NOISE):
+            asked = (row["what"], row["game"], row["noise"]) == ("player", GAME, NOISE)
+            if asked and row["how"] in NAMES:
                 yield NAMES[row["how"]], float(row["first"])
 
 

@@ -25,7 +25,11 @@ the five numbers:
   WxR    follow, - draw, m/s
   WyR    masse: curves to the right, - to the left, m/s
   WzR    right english (tip right of the centre, anticlockwise from above), - left, m/s
-  angle  degrees, anticlockwise: 0 to the right, 90 away from you"""
+  angle  degrees, anticlockwise: 0 to the right, 90 away from you
+
+without the game, each with --help:
+  danggu lab    worksheets for a course of mechanics
+  danggu sweep  what shots are worth by the rules"""
 SMALLEST = (640, 360)
 LARGEST = 16384
 

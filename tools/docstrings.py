@@ -7,6 +7,8 @@ from griffe import Extension
 
 NAMES = re.compile(r"(?:^|(?<=\.  ))([A-Za-z_]\w*(?:(?:, | and )[A-Za-z_]\w*)*): (?=\S)")
 
+ERROR = re.compile(r"[A-Z]\w*(?:Error|Warning)\b")  # at the beginning of a sentence: what is raised
+
 
 def as_markdown(text: str) -> str:
     """
@@ -29,6 +31,9 @@ def _block(block: str) -> str:
     lines: list[str] = []
     listed = False
     for line in block.split("\n"):
+        if listed and ERROR.match(line) and lines[-1].endswith("."):
+            lines.append("")
+            listed = False
         if NAMES.match(line) and not line.startswith(("ValueError:", "Note:")):
             lines += [] if listed or not lines else [""]
             lines.append(NAMES.sub(r"- **\1**: ", line, count=1))

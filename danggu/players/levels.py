@@ -89,3 +89,12 @@ EXPERT = Level("expert", 0.35, 0.06, 1.5)
 MASTER = Level("master", 0.12, 0.03, 0.8)
 PERFECT = Level("perfect", 0.0, 0.0, 0.0)
 LEVELS = (NOVICE, CLUB, EXPERT, MASTER, PERFECT)
+
+
+def level_of(given: Level | str) -> Level:
+    """The level by its key, or as it is; ValueError, naming all, if there is none."""
+    found = next((level for level in LEVELS if level.key == given), given)
+    if isinstance(found, Level):
+        return found
+    names = ", ".join(level.key for level in LEVELS)
+    raise ValueError(f"level must be a Level or one of {names}, not {given!r:.60}")

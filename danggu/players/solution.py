@@ -20,7 +20,8 @@ class Tolerance:
     """How far each number of the shot may be off, alone, until a ball of the path is missed.
 
     By the exact derivatives at the shot itself, to first order; shorter where strokes that are off
-    by parts of that do not score.  Each is (lowest, highest), not above and not below 0.
+    by parts of that do not score.  Each is (lowest, highest), not above and not below 0, or
+    infinite where there is no limit.
 
     angle: degrees.
     speed: share of the speed.

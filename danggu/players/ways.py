@@ -21,7 +21,7 @@ from .candidates import CUSHIONS, DIRECT, Style
 from .draws import draws
 from .errors import attempt, missed
 from .knockout import Contenders, first_of_each, knockout
-from .levels import Level
+from .levels import Level, level_of
 from .opponent import LEAST
 from .pot_ways import pot_ways
 from .solution import Solution, Tip
@@ -43,7 +43,7 @@ FURTHER = 0.5  # radii: the tip's distance from the centre, to which the best st
 
 
 def solutions(
-    world: World, rules: Rules, turn: Turn, level: Level, budget: int | None = None, *,
+    world: World, rules: Rules, turn: Turn, level: Level | str, budget: int | None = None, *,
     seed: int = 0, most: int = 8, plies: int = 2, compiled: bool | None = None,
 ) -> list[Solution]:  # fmt: skip
     """The ways to score that a search finds, the one that it would play first; [] if it finds none.
@@ -53,7 +53,7 @@ def solutions(
 
     world: with the balls at rest, all those of the game; it stays as it is.
     turn: whose stroke it is; `Match.turn` has it.
-    level: how well the stroke is carried out.
+    level: how well the stroke is carried out: a `Level`, or the key of one, as "expert".
     budget: strokes tried, about; None: 160 000, with pockets 20 000, if numba is there (under a
     second), else 3 000 (a second or two).
     seed: from 0 on; the outcome depends on it and the other arguments alone, not on time.
@@ -65,7 +65,7 @@ def solutions(
     """
     _check(world, budget, most, plies, seed)
     bench, rng = Bench(world, rules, turn, compiled), np.random.default_rng(seed)
-    total = budget or (COMPILED if bench.compiled else INTERPRETED)
+    total, level = budget or (COMPILED if bench.compiled else INTERPRETED), level_of(level)
     if rules.key in KINDS:
         total = budget or (COMPILED // SLOWER if bench.compiled else INTERPRETED)
         return pot_ways(world, rules, turn, level, total, most, bench.compiled, rng)

@@ -4,6 +4,7 @@ import pygame
 import pytest
 
 from danggu import labs
+from game.__main__ import main
 from game.render.font import type_at
 from game.render.layout import Layout
 from game.session.action import Action
@@ -209,3 +210,16 @@ def test_the_table_is_beside_or_beneath_every_question_in_a_usual_window(languag
         labs_text.draw(app.canvas.surface, app.view.sight, one, room)
         assert len(drawn) == 1, name
         assert room.inflate(2, 2).contains(drawn.pop()), name
+
+
+def test_labs_and_sweeps_need_no_game_and_no_other_command(capsys):
+    assert main(["lab", "cradle", "--answer", "leave=2"]) == 0
+    assert capsys.readouterr().out == "leave: right\n"
+    assert main(["lab", "cradle", "--answer", "leave=3"]) == 1
+    assert main(["sweep", "--game", "three-cushion", "--speed", "4", "--angle", "0,180"]) == 0
+    assert "2 shots at white" in capsys.readouterr().err
+    for command in ("lab", "sweep"):
+        with pytest.raises(SystemExit) as left:
+            main([command, "--help"])
+        assert left.value.code == 0
+        assert f"danggu {command}" in capsys.readouterr().out

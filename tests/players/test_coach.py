@@ -239,3 +239,12 @@ def test_what_cannot_be_asked_for_is_refused_by_name(name: str, value: object) -
 def test_the_smallest_budget_finds_nothing_and_fails_at_nothing() -> None:
     for budget in (1, 2, 10):
         assert len(found("four-ball", budget=budget)) <= 1
+
+
+def test_a_level_may_be_named_by_its_key_and_a_wrong_one_is_refused_with_all_names() -> None:
+    table, rules = laid("three-cushion"), GAMES["three-cushion"]()
+    by_key = solutions(table, rules, Turn(), "expert", 400, compiled=False)
+    assert by_key == solutions(table, rules, Turn(), EXPERT, 400, compiled=False)
+    for wrong in ("pro", "", 0.35, None):
+        with pytest.raises(ValueError, match="level must be a Level or one of novice, club"):
+            solutions(table, rules, Turn(), wrong, 400)  # type: ignore[arg-type]

@@ -57,6 +57,10 @@ def test_scores_takes_balls_and_shots_as_simulate_many_does():
             found = scores(world, ball, shots, rules, level=CLUB, copies=5)
             assert [column.tolist() for column in found] == [column.tolist() for column in known]
     assert not len(scores(world, "white", [], rules, level=CLUB).made)
+    by_key = scores(world, "white", table, rules, level="club", copies=5)
+    assert [column.tolist() for column in by_key] == [column.tolist() for column in known]
+    with pytest.raises(ValueError, match="level must be a Level or one of"):
+        scores(world, "white", table, rules, level="pro")
 
 
 @pytest.mark.parametrize("level", [None, CLUB])

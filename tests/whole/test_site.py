@@ -48,6 +48,16 @@ def test_a_docstring_becomes_a_list_of_names_and_a_session():
     assert as_markdown("ValueError: said so.") == "ValueError: said so."
 
 
+def test_what_is_raised_does_not_belong_to_the_last_name_of_the_list():
+    pytest.importorskip("griffe")
+    from tools.docstrings import as_markdown
+
+    assert as_markdown("at: m.\nof: kg.\nValueError for\nnone.") == (
+        "- **at**: m.\n- **of**: kg.\n\nValueError for\nnone."
+    )
+    assert as_markdown("at: it raises\nValueError.") == "- **at**: it raises\n  ValueError."
+
+
 def test_links_of_the_repository_become_links_of_the_site():
     pytest.importorskip("mkdocs")
     from tools.site import relinked

@@ -46,7 +46,7 @@ TEXT = {
         " spin with which it rolled, so its path bends forward until it rolls again.\n\n"
         "Find by how much the white is turned right after the hit, and by how much in the end."
         " Players say: by about 30°, for any hit that is neither thin nor full.\n\n"
-        "Change the cut (in the game, or with another seed) and find the greatest turn there"
+        "Change the cut (in the game, or with other numbers) and find the greatest turn there"
         " is."
     ),
     "thirty-degrees.red": "direction of the red, from the x axis",

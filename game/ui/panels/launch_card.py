@@ -24,7 +24,7 @@ def wanted(sight: Sight) -> bool:
 def key(sight: Sight) -> Hashable:
     """What the card depends on."""
     session = sight.session
-    return "launch", (*session.aim.texts,), session.cue, session.stamp
+    return "launch", (*session.aim.texts,), session.cue, session.stamp, session.squirt
 
 
 def draw(surface: pygame.Surface, rect: pygame.Rect, sight: Sight) -> pygame.Rect:
@@ -48,16 +48,17 @@ def _items(sight: Sight) -> list[tuple[str, str, str]]:
     return [
         (w["launch.speed"], _written(found.speed, 2), w["unit.speed"]),
         (w["launch.spin"], _written(found.spin, 1), w["unit.spin"]),
-        _way(found, w),
+        _way(found, w, off=session.squirt == "off"),
     ]
 
 
-def _way(found: Launch, w: dict[str, str]) -> tuple[str, str, str]:
+def _way(found: Launch, w: dict[str, str], *, off: bool) -> tuple[str, str, str]:
+    """Where it leaves to; with squirt off the ball goes where the cue points."""
     if found.rise:
         return w["launch.rise"], f"{_written(found.rise, 1)}°", ""
     if found.squirt is None:
         return w["launch.squirt"], "–", ""
-    size = abs(found.squirt)
+    size = 0.0 if off else abs(found.squirt)
     side = "" if size < UNSEEN else w["launch.left" if found.squirt > 0.0 else "launch.right"]
     return w["launch.squirt"], f"{_written(size, 1)}°", side
 
