@@ -94,6 +94,9 @@ def test_the_read_outs_say_before_the_stroke_how_the_ball_will_leave():
     ball = app.session.world.ball("white")
     assert speed == "3.00"
     assert float(spin) == pytest.approx(1.5 / (2 * pi * ball.radius), abs=0.05)
+    assert squirt == "0.0°"  # as long as squirt is off
+    app.perform(Action("squirt", "on"))
+    squirt, side = read_out(app)[2]
     # a tip at 0.2 R, right of the centre, drives the ball to the left of the cue's line
     wanted = CueStroke(3.0, side=0.2).squirt
     assert (squirt, side) == (f"{wanted:.1f}°", "left")

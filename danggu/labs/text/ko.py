@@ -225,8 +225,8 @@ TEXT = {
     "word.before": "직전", "word.after": "직후", "word.x": "x", "word.y": "y",
     "word.vx": "vx", "word.vy": "vy", "word.wx R": "ωx R", "word.wy R": "ωy R",
     "word.wz R": "ωz R", "word.white": "흰 공", "word.red": "빨간 공", "word.yellow": "노란 공",
-    "word.light": "가벼운 공", "word.heavy": "무거운 공", "word.white x": "흰 공 x",
-    "word.white y": "흰 공 y", "word.red x": "빨간 공 x", "word.red y": "빨간 공 y",
+    "word.light": "가벼운 공", "word.heavy": "무거운 공", "word.white x": "하양 x",
+    "word.white y": "하양 y", "word.red x": "빨강 x", "word.red y": "빨강 y",
     # -- the page and the command line --
     "page.name": "이름", "page.class": "반", "page.date": "날짜", "page.sheet": "실험지",
     "page.usual": "기본 숫자", "page.seed": "숫자 {seed}번", "page.question": "문제",
