@@ -16,6 +16,8 @@ from physics import World, whole_files
 from . import user_files
 
 FOLDER = "exports"
+LONGEST = 120.0
+"""Seconds of data at most: a scene that never ends would be written for minutes."""
 
 
 def export(session: Session, picture: pygame.Surface, folder: Path | None) -> None:
@@ -37,13 +39,14 @@ def export(session: Session, picture: pygame.Surface, folder: Path | None) -> No
 def write(folder: Path | None, world: World, began: float, picture: bytes) -> Path:
     """Write the shot that began then, world seconds, as CSV, and a picture (PNG) beside it.
 
+    Of a longer one only the last LONGEST seconds are written.
     Returns the file of the data; its name has the first number that is free. OSError if either
     cannot be written: then neither is there.
     """
     if folder is None:
         raise OSError("there is no home folder")
     home = folder / FOLDER
-    data = danggu.labs.samples(world, begin=began).encode()
+    data = danggu.labs.samples(world, begin=max(began, world.time - LONGEST)).encode()
     with user_files.alone(home / "any"):
         names = (home / f"shot-{n:03}" for n in count(1))
         name = next(n for n in names if not any(map(Path.exists, files(n))))

@@ -8,6 +8,7 @@ import pygame
 import pytest
 
 from game.settings import shot_files
+from game.table import presets
 from game.text import LANGUAGES
 from game.ui.panels.parts import hint
 from physics import whole_files
@@ -67,6 +68,16 @@ def test_before_a_shot_the_places_of_the_balls_are_written(tmp_path):
     with open(tmp_path / "exports" / "shot-001.csv", newline="") as file:
         (row,) = csv.DictReader(file)
     assert float(row["white x"]) == pytest.approx(app.session.world.ball("white").position[0])
+
+
+def test_of_a_scene_that_never_ends_the_last_minutes_are_written(tmp_path):
+    world = presets.SCENES["cradle"]()
+    world.run(shot_files.LONGEST + 10.0)
+    path = shot_files.write(tmp_path, world, 0.0, b"")
+    with open(path, newline="") as file:
+        rows = [*csv.DictReader(file)]
+    assert float(rows[0]["time"]) == 0.0
+    assert float(rows[-1]["time"]) == shot_files.LONGEST
 
 
 def test_where_the_picture_cannot_be_written_no_data_stay_and_the_reason_is_said(
