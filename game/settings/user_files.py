@@ -30,13 +30,13 @@ def folder(found: Callable[..., Path]) -> Path | None:
     return path if path.is_absolute() else None
 
 
-def read(path: Path, most: int = MOST) -> str:
+def read(path: Path, most: int | None = None) -> str:
     """Return the text of a regular file, with or without a byte order mark.
 
-    FileNotFoundError if there is none; OSError if it is no such file, is longer than `most` bytes,
-    or cannot be read; UnicodeDecodeError if it is no text.
+    FileNotFoundError if there is none; OSError if it is no such file, is longer than `most` bytes
+    (MOST), or cannot be read; UnicodeDecodeError if it is no text.
     """
-    real = whole_files.regular(path)
+    real, most = whole_files.regular(path), MOST if most is None else most
     with real.open("rb") as file:
         data = file.read(most + 1)
     if len(data) > most:
