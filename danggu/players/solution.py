@@ -74,7 +74,7 @@ class Tip:
         return f"{self.hour} o'clock, {self.tips:.2g} tips"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, repr=False)
 class Solution:
     """One way to score, the best shot that was found for its path.
 
@@ -105,6 +105,10 @@ class Solution:
     tip: Tip
     tolerance: Tolerance | None
     call: Call = NO_CALL
+
+    def __repr__(self) -> str:
+        sure = f"{100.0 * self.share:.0f} % ±{100.0 * self.error:.0f}"
+        return f"<Solution {' '.join(self.path)}: {sure}, tip {self.tip}>"
 
     @property
     def shot(self) -> Shot:

@@ -63,7 +63,7 @@ def solutions(
     compiled: by the compiled kernel (ImportError without numba)? None: where numba is installed.
     ValueError without a ball to play with, if one moves, and for a number that is none.
     """
-    _check(world, budget, most, plies, seed)
+    _check(world, rules, turn, budget, most, plies, seed)
     bench, rng = Bench(world, rules, turn, compiled), np.random.default_rng(seed)
     total, level = budget or (COMPILED if bench.compiled else INTERPRETED), level_of(level)
     if rules.key in KINDS:
@@ -84,7 +84,11 @@ def solutions(
     return [_measured(bench, running, row, level, copies, rng) for row in rows]
 
 
-def _check(world: World, budget: int | None, most: int, plies: int, seed: int) -> None:
+def _check(
+    world: World, rules: Rules, turn: Turn, budget: int | None, most: int, plies: int, seed: int
+) -> None:
+    if isinstance(rules, type | str) or not isinstance(turn, Turn):
+        raise ValueError("solutions needs rules such as GAMES['three-cushion'](), and a Turn")
     if not world.at_rest:
         raise ValueError("solutions needs a world whose balls are at rest")
     for name, number in (("budget", 1 if budget is None else budget), ("most", most)):

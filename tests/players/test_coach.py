@@ -248,3 +248,18 @@ def test_a_level_may_be_named_by_its_key_and_a_wrong_one_is_refused_with_all_nam
     for wrong in ("pro", "", 0.35, None):
         with pytest.raises(ValueError, match="level must be a Level or one of novice, club"):
             solutions(table, rules, Turn(), wrong, 400)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("rules", "turn"),
+    [("snooker", Turn()), (type(GAMES["snooker"]()), Turn()), (GAMES["snooker"](), "white")],
+)
+def test_rules_that_are_none_and_a_turn_that_is_none_are_refused(rules: object, turn: object) -> None:
+    with pytest.raises(ValueError, match="solutions needs rules such as"):
+        solutions(laid("three-cushion"), rules, turn, EXPERT)  # type: ignore[arg-type]
+
+
+def test_a_way_is_shown_in_a_line() -> None:
+    aim, tip = Attempt(10.0, 2.0), Tip.of(0.2, 0.1, 0.03)
+    way = Solution(("red", "east"), aim, 0.5, 100, 0.5, None, 0.5, None, tip, None)
+    assert repr(way) == "<Solution red east: 50 % ±5, tip 2 o'clock, 0.56 tips>"
