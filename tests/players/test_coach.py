@@ -254,7 +254,7 @@ def test_a_level_may_be_named_by_its_key_and_a_wrong_one_is_refused_with_all_nam
     ("rules", "turn"),
     [("snooker", Turn()), (type(GAMES["snooker"]()), Turn()), (GAMES["snooker"](), "white")],
 )
-def test_rules_that_are_none_and_a_turn_that_is_none_are_refused(rules: object, turn: object) -> None:
+def test_rules_and_turns_that_are_none_are_refused(rules: object, turn: object) -> None:
     with pytest.raises(ValueError, match="solutions needs rules such as"):
         solutions(laid("three-cushion"), rules, turn, EXPERT)  # type: ignore[arg-type]
 
