@@ -129,6 +129,22 @@ def test_words_and_balls_of_a_plate_keep_apart(lang, size, level, game):
         assert t.width(said.partition(" · ")[0], 12) <= room.x - gap - plate.x - 10 * s
 
 
+@pytest.mark.parametrize("lang", ["en", "ko"])
+@pytest.mark.parametrize("size", SIZES)
+def test_the_plate_of_a_group_says_whole_that_its_player_wins_and_the_8_is_a_ring(lang, size):
+    app = eight_ball(size, lang=lang)
+    contest, t = app.session.contest, app.view.sight.type
+    contest.match = replace(contest.match, winner=0)
+    leave(app.session, cue=(-0.5, 0.0), b1=(0.3, 0.2))
+    assert_same_as_anew(shown(app))
+    _, room = plates_of(app)[0]
+    gap, plate = round(plate_balls.GAP * t.s), app.view.sight.layout.score[0]
+    left, _ = cards.score_room(plate, t, "10", "11", ball=False)
+    assert t.width(app.view.sight.words["score.rack.won"], 12) <= room.x - gap - left
+    at = room.right - round(plate_balls.GROUP * t.s), room.centery
+    assert app.canvas.surface.get_at(at)[:3] == theme.PANEL
+
+
 def test_of_a_long_break_the_last_balls_are_shown():
     app = snooker()
     names, room = plates_of(app)[0]

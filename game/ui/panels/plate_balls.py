@@ -56,7 +56,7 @@ def beside(
     t, w = sight.type, sight.words
     if grouped(names):
         # the same for both players at any time, or the balls would change their size
-        texts = [w["score.solids"], w["score.stripes"]]
+        texts = [w["score.solids"], w["score.stripes"], w["score.rack.won"]]
         if any(seat.level != HUMAN for seat in contest.terms.seats):
             texts += [w["score.thinking"], w["score.intends"].format(n=100)]
         return min(max(t.width(text, 12) for text in texts), room // 2)
@@ -93,16 +93,14 @@ def _group(
     """A group with rings for the balls that are down, and the 8, dim until it is on."""
     contest = sight.session.contest
     left = contest.match.state.left if contest is not None else ()
-    own = names[:-1]
-    x = room.right - (PITCH * len(names) + APART - PITCH / 2) * r
-    for name in own:
+    early = {*names[:-1]} & {*left}
+    for place, name in enumerate(reversed(names)):
+        x = room.right - (PITCH * (place + 0.5) + APART * (name != EIGHT)) * r
         if name in left:
-            _ball(surface, sight, name, (x, room.centery), r)
+            alpha = DIM if name == EIGHT and early else 255
+            _ball(surface, sight, name, (x, room.centery), r, alpha)
         else:
             shapes.disc(surface, (x, room.centery), r, theme.PANEL, theme.LINE_INPUT, sight.type.s)
-        x += PITCH * r
-    alpha = DIM if {*own} & {*left} else 255
-    _ball(surface, sight, EIGHT, (x + APART * r, room.centery), r, alpha)
 
 
 def _break(
