@@ -11,6 +11,7 @@ from danggu.rules.pool import SCRATCH
 from danggu.rules.sagu import LAST_POINT_3C
 from danggu.rules.verdict import OFF_TABLE, Verdict
 from game.render.parts import cards
+from game.render.table.balls import portrait
 from game.render.theme import ACCENT, ERROR, GOOD, TEXT, TEXT_SOFT, Colour
 from game.session.running_match import Contest
 from game.ui import halls
@@ -20,6 +21,8 @@ from game.ui.sight import Sight
 from . import plate_balls, rack_words
 from .parts import number
 
+CUE_BALL = 14
+"""Radius on the plates of games with pockets, px at s = 1: a ball of snooker's table is tiny."""
 COUNTED = {"no_red", "opponent_ball", "off_table", "opening_not_red"}
 """Fouls that say what they cost, also where that is nothing."""
 Result = tuple[str, str, str, Colour]
@@ -55,7 +58,7 @@ def _plate(
     said, tone = _line(sight, contest, index)
     row = plate_balls.of(contest, index)
     share = points / target if target and tone is None and not row else None
-    ball = None if plate_balls.grouped(row) else _cue_ball(sight, match.cue_of(index))
+    ball = None if plate_balls.grouped(row) else _cue_ball(sight, contest, match.cue_of(index))
     name, shown = player_name(contest.terms, index, sight.words), number(points, 0)
     left, end = cards.score_room(rect, sight.type, shown, goal, ball is not None)
     words = plate_balls.beside(contest, sight, row, (name, said), end - left)
@@ -82,7 +85,10 @@ def _plate(
         plate_balls.draw(surface, room, sight, row)
 
 
-def _cue_ball(sight: Sight, name: str) -> pygame.Surface | None:
+def _cue_ball(sight: Sight, contest: Contest, name: str) -> pygame.Surface | None:
+    """A picture of a player's ball: in carom as on the table, where it tells the two apart."""
+    if not contest.terms.discipline.position:
+        return portrait(sight.look(name), round(CUE_BALL * sight.layout.s, 1))
     names = [ball.name for ball in sight.session.world.balls]
     return sight.portrait(names.index(name)) if sight.portrait else None
 
