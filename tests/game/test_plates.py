@@ -14,8 +14,9 @@ from game.render import theme
 from game.render.parts import cards
 from game.session.scorecard import Visit
 from game.ui.panels import plate_balls, rack_words, score_plates
+from physics import Placed
 from tests.support.players import an_app, assert_same_as_anew, press
-from tests.support.racked_games import leave, playing
+from tests.support.racked_games import leave, playing, stroke
 
 SIZES = [(640, 360), (960, 540), (1280, 720), (1920, 1080)]
 PLACES = {"b1": (0.3, 0.2), "b3": (0.0, -0.4), "b8": (0.9, 0.0), "b9": (0.6, 0.1)}
@@ -204,3 +205,22 @@ def test_a_plate_says_by_which_stroke_a_ball_must_leave_the_zone(zone, anchor, s
     line, _ = score_plates._line(sight, contest, 0)
     assert line.startswith(" · ".join([*said, "run 4"]))
     assert "leave" not in score_plates._line(sight, contest, 1)[0]
+
+
+@pytest.mark.parametrize("game", ["snooker", "9-ball"])
+def test_the_cue_ball_on_a_plate_is_as_large_in_snooker_as_in_pool(game):
+    table = "snooker" if game == "snooker" else "pool-9"
+    app = an_app(size=(960, 540), game=game, table=table)
+    plate = app.view.sight.layout.score[0].inflate(-8, -4)
+    strip = pygame.surfarray.array3d(app.canvas.surface.subsurface(plate))[: round(40 * 0.75)]
+    across = np.count_nonzero((strip.min(axis=2) > 100).any(axis=1))
+    assert across == pytest.approx(2 * score_plates.CUE_BALL * 0.75, abs=3)
+
+
+def test_after_a_stroke_that_leaves_both_balls_in_a_zone_the_plate_says_so():
+    session = playing("balkline-47/1")
+    places = {"white": (-1.0, 0.0), "yellow": (1.2, 0.5), "red": (1.2, 0.6)}
+    session.put([Placed(complex(*places[ball.name])) for ball in session.world.balls])
+    stroke(session, "0.3 0 0 0 180")
+    assert session.contest.match.at == 1
+    assert "zone: leave now" in rack_words.zones(session.contest.match, words("en"))
