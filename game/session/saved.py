@@ -103,6 +103,8 @@ def _check(found: SavedMatch) -> None:
         raise ValueError(f"there is no player {kept.at} or {kept.winner}")
     if not {*kept.state.left} <= names:
         raise ValueError("a ball is said to be left that the game has not")
+    if not {ball for visit in kept.card for ball in visit.balls} <= names:
+        raise ValueError("a ball is said to have been potted that the game has not")
     far = max(terms.world().table.length, 1.0)
     for placed in (*kept.layout, *(kept.lies or ())):
         if not abs(placed.position) < far or placed.velocity or placed.roll or placed.climb:

@@ -22,6 +22,7 @@ class Visit(NamedTuple):
     won      did it win the rack or frame?
     lost     did it lose it?
     unmeant  how many of the spared strokes scored all the same: breaks
+    balls    potted by strokes that scored, in order
     """
 
     player: int
@@ -34,6 +35,7 @@ class Visit(NamedTuple):
     won: bool = False
     lost: bool = False
     unmeant: int = 0
+    balls: tuple[str, ...] = ()
 
 
 Card = tuple[Visit, ...]
@@ -57,8 +59,15 @@ def after(card: Card, before: Match, verdict: Verdict, rack: int) -> Card:
         verdict.won,
         verdict.lost,
         own.unmeant + (spared and verdict.made),
+        own.balls + (verdict.down + verdict.spot) * verdict.made,
     )
     return (*card, now)
+
+
+def running(card: Card, match: Match) -> tuple[str, ...]:
+    """The balls potted so far by the player at the table in this visit, in order."""
+    goes_on = card and match.visit and card[-1].player == match.at
+    return card[-1].balls if goes_on else ()
 
 
 def _spares(before: Match) -> bool:

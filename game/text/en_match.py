@@ -61,6 +61,7 @@ WORDS = {
     "level.error": "errs by ±{angle}° · ±{speed} % speed · ±{tip} mm tip",
     "player.human": "Player {n}",
     "player.computer": "{level}",
+    "player.computer.short": "Computer",
     "score.inning": "Inning",
     "score.average": "avg {n}",
     "score.high": "high run {n}",

@@ -61,6 +61,7 @@ WORDS = {
     "level.error": "오차 ±{angle}° · 속도 ±{speed} % · 당점 ±{tip} mm",
     "player.human": "선수 {n}",
     "player.computer": "{level}",
+    "player.computer.short": "컴퓨터",
     "score.inning": "이닝",
     "score.average": "애버리지 {n}",
     "score.high": "하이런 {n}",

@@ -12,6 +12,7 @@ from game.table import presets
 from tests.support.racked_games import played, playing
 from tests.support.sampling import mostly
 
+VISIT = {"player": 0, "rack": 1, "points": 0, "strokes": 1, "made": 1, "foul": False}
 GAMES = [name for name in terms.GAMES if name != "free"]
 
 
@@ -60,6 +61,7 @@ def changed(text, *path, to):
         (("kept", "state", "color"), 1, "no 'color'"),
         (("kept", "race", "to"), 0, "race"),
         (("kept", "sheets"), [], "sheets"),
+        (("kept", "card"), [VISIT | {"balls": ["17"]}], "has not"),
     ],
 )
 def test_a_broken_save_is_refused_and_says_why(path, to, why):
@@ -81,3 +83,8 @@ def test_the_card_has_a_row_for_each_visit_and_undo_takes_it_back():
     assert sum(visit.strokes for visit in card) == session.shots
     perform(session, Action("undo"))
     assert sum(visit.strokes for visit in session.contest.card) <= session.shots
+
+
+def test_a_match_that_was_saved_without_the_balls_of_its_visits_is_read():
+    text = changed(text_of(playing("9-ball")), "kept", "card", to=[VISIT])
+    assert saved.read(text).kept.card[0].balls == ()

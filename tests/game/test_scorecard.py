@@ -71,3 +71,14 @@ def test_the_sheet_says_who_won_the_rack(game, won, lost):
                           (Verdict("rack_lost", foul=True, lost=True), lost)):  # fmt: skip
         visit = scorecard.after((), match, verdict, 1)[-1]
         assert score_page._end(visit, contest, words("en")) == said
+
+
+def test_a_visit_keeps_the_balls_that_scored_in_their_order():
+    match, card = match_of("snooker"), ()
+    for visit, (down, spot) in enumerate([(("red3", "red1"), ()), ((), ("black",))]):
+        potted = replace(POTTED, points=1, down=down, spot=spot)
+        card = scorecard.after(card, replace(match, visit=visit), potted, 1)
+    assert scorecard.running(card, replace(match, visit=2)) == ("red3", "red1", "black")
+    assert scorecard.running(card, match.passed()) == scorecard.running((), match) == ()
+    foul = Verdict("ball_not_on", foul=True, down=("red4",), spot=("blue",))
+    assert scorecard.after(card, replace(match, visit=2), foul, 1)[-1].balls == card[-1].balls

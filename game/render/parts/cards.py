@@ -38,26 +38,26 @@ def score(
     ball: pygame.Surface | None = None,
     share: float | None = None,
     tone: Colour | None = None,
+    kept: int = 0,
 ) -> pygame.Rect:
     """Draw a player's plate: `goal` is written after a slash, or as it is in brackets; `share`
     fills the bar (None: no bar).
 
-    `ball` is a sprite of the player's ball; `averages` may be empty, `tone` is its own colour.
+    `ball` is a sprite of the player's ball; `averages` may be empty, `tone` is its own colour;
+    `kept` px at the end of `score_room` stay free.
     """
     s = type_.s
     card(surface, rect, s, playing)
     strong = theme.TEXT if playing else theme.TEXT_FAINT
     weak = theme.TEXT_SOFT if playing else theme.TEXT_FAINT
     if playing:
-        mark = pygame.Rect(rect.x + round(s), 0, round(3 * s), rect.h // 2)
-        mark.centery = rect.centery
-        surface.fill(theme.ACCENT, mark)
+        _mark(surface, rect, s)
     if ball is not None:
         surface.blit(ball, ball.get_rect(center=(rect.x + round(28 * s), rect.centery)))
-    left = rect.x + round(50 * s)
+    left, end = score_room(rect, type_, points, goal, ball is not None)
     lift = 21 if averages else 29
-    end = _points(surface, rect, type_, points, goal, (strong, weak))
-    end -= round(70 * s) if share is not None else 0
+    _points(surface, rect, type_, points, goal, (strong, weak))
+    end -= kept + (round(70 * s) if share is not None else 0)
     name, averages = type_.fitted(name, 15, end - left), type_.fitted(averages, 12, end - left)
     type_.draw(surface, name, (left, rect.y + lift * s), 15, strong if playing else weak)
     type_.draw(surface, averages, (left, rect.y + 39 * s), 12, tone or weak)
@@ -68,6 +68,29 @@ def score(
     return rect
 
 
+def _mark(surface: pygame.Surface, rect: pygame.Rect, s: float) -> None:
+    """Mark the plate of the player at the table."""
+    mark = pygame.Rect(rect.x + round(s), 0, round(3 * s), rect.h // 2)
+    mark.centery = rect.centery
+    surface.fill(theme.ACCENT, mark)
+
+
+def score_room(
+    rect: pygame.Rect, type_: Type, points: str, goal: str, ball: bool
+) -> tuple[int, int]:
+    """Where the words of a plate begin, after the player's `ball` if it has one, and where what
+    stands before its points has to end, px."""
+    s = type_.s
+    tail = rect.right - round(14 * s) - type_.width(_goal(goal), 15)
+    shown = tail - round(6 * s) - type_.width(points, 30)
+    # two digits have room, so that what is before them does not move
+    return rect.x + round((50 if ball else 14) * s), min(shown, tail - round(42 * s)) - round(8 * s)
+
+
+def _goal(goal: str) -> str:
+    return goal if goal.startswith("(") else f"/ {goal}"
+
+
 def _points(
     surface: pygame.Surface,
     rect: pygame.Rect,
@@ -75,15 +98,12 @@ def _points(
     points: str,
     goal: str,
     inks: tuple[Colour, Colour],
-) -> int:
-    """Write the points and their goal at the right; return where the bar has to end."""
+) -> None:
+    """Write the points and their goal at the right."""
     s = type_.s
     right = rect.right - round(14 * s)
-    goal = goal if goal.startswith("(") else f"/ {goal}"
-    tail = type_.draw(surface, goal, (right, rect.y + 31 * s), 15, inks[1], "right")
-    number = (tail.x - round(6 * s), rect.y + 36 * s)
-    shown = type_.draw(surface, points, number, 30, inks[0], "right")
-    return min(shown.x, tail.x - round(42 * s)) - round(8 * s)
+    tail = type_.draw(surface, _goal(goal), (right, rect.y + 31 * s), 15, inks[1], "right")
+    type_.draw(surface, points, (tail.x - round(6 * s), rect.y + 36 * s), 30, inks[0], "right")
 
 
 def _progress(surface: pygame.Surface, bar: pygame.Rect, share: float, ink: Colour) -> None:
@@ -100,7 +120,10 @@ def inning(
     s = type_.s
     card(surface, rect, s)
     type_.draw(surface, label, (rect.centerx, rect.y + 20 * s), 13, theme.TEXT_SOFT, "centre")
-    type_.draw(surface, number, (rect.centerx, rect.y + 41 * s), 20, theme.TEXT, "centre")
+    sizes = (20, 17, 15, 13)
+    room = rect.w - 8 * s
+    size = next((size for size in sizes if type_.width(number, size) <= room), sizes[-1])
+    type_.draw(surface, number, (rect.centerx, rect.y + 41 * s), size, theme.TEXT, "centre")
     return rect
 
 

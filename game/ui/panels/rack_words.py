@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from danggu.rules.balkline import COME_IN, IN_THERE
+from danggu.rules.match import Match
+from danggu.rules.snooker import remaining
 from danggu.rules.verdict import Verdict
 from game.session import scorecard
 from game.session.running_match import Contest
@@ -15,11 +18,16 @@ FRAMES = "snooker"
 
 
 def middle(contest: Contest, w: dict[str, str]) -> tuple[str, str]:
-    """What stands between the plates: the rack, the frame or the inning, and its number."""
+    """What stands between the plates: the rack or the inning and its number, or the frame and the
+    points that are left in it."""
     if contest.terms.discipline.points:
         return w["score.inning"], str(contest.match.inning)
-    label = w["score.frame" if contest.match.rules.key == FRAMES else "score.rack"]
-    return label, str(contest.rack)
+    if contest.match.rules.key != FRAMES:
+        return w["score.rack"], str(contest.rack)
+    if contest.match.finished:
+        return w["score.frame"], str(contest.rack)
+    left = remaining(contest.match.state)
+    return f"{w['score.frame']} {contest.rack}", w["score.left"].format(n=left)
 
 
 def points(contest: Contest, index: int) -> tuple[int, str, int | None]:
@@ -58,8 +66,11 @@ def line(contest: Contest, index: int, w: dict[str, str]) -> list[str] | None:
         found.append(w[f"score.{group}" if group else "score.open.table"])
     if match.state.warned and match.state.warned[index]:
         return [*found, w["score.warned"]]
+    ahead = lead(match, w) if match.at == index and match.rules.key == FRAMES else []
     if match.at == index and match.run and scores(contest):
-        found.append(w["score.break"].format(n=match.run))
+        found += [w["score.break"].format(n=match.run), *ahead]
+    elif ahead:
+        found += ahead
     elif sheet.best:
         found.append(w["score.best.break"].format(n=sheet.best))
     own = scorecard.totals(contest.card, index)
@@ -68,6 +79,22 @@ def line(contest: Contest, index: int, w: dict[str, str]) -> list[str] | None:
     if sheet.fouls:
         found.append(w["score.fouls"].format(n=sheet.fouls))
     return found
+
+
+def lead(match: Match, w: dict[str, str]) -> list[str]:
+    """How far the player at the table is ahead or behind; nothing of equal scores, or alone."""
+    ahead = match.turn.score - match.turn.against if len(match.players) > 1 else 0
+    if not ahead:
+        return []
+    return [w["score.ahead" if ahead > 0 else "score.behind"].format(n=abs(ahead))]
+
+
+def zones(match: Match, w: dict[str, str]) -> list[str]:
+    """In balkline, where both balls lie in a zone or an anchor: by which stroke one must leave."""
+    lies = (match.state.zone, "score.zone"), (match.state.anchor, "score.anchor")
+    strokes = {COME_IN: 2, IN_THERE: 1}
+    found = sorted((strokes[lie], key) for lie, key in lies if lie in strokes)
+    return [(w.get(f"{key}.{n}") or w[key]).format(n=n) for n, key in found]
 
 
 def facts(contest: Contest, verdict: Verdict, w: dict[str, str]) -> list[str]:

@@ -11,15 +11,18 @@ from danggu.rules.pool import SCRATCH
 from danggu.rules.sagu import LAST_POINT_3C
 from danggu.rules.verdict import OFF_TABLE, Verdict
 from game.render.parts import cards
+from game.render.table.balls import portrait
 from game.render.theme import ACCENT, ERROR, GOOD, TEXT, TEXT_SOFT, Colour
 from game.session.running_match import Contest
 from game.ui import halls
-from game.ui.names import player_name
+from game.ui.names import player_name, short_name
 from game.ui.sight import Sight
 
-from . import rack_words
+from . import plate_balls, rack_words
 from .parts import number
 
+CUE_BALL = 14
+"""Radius on the plates of games with pockets, px at s = 1: a ball of snooker's table is tiny."""
 COUNTED = {"no_red", "opponent_ball", "off_table", "opening_not_red"}
 """Fouls that say what they cost, also where that is nothing."""
 Result = tuple[str, str, str, Colour]
@@ -28,7 +31,9 @@ Result = tuple[str, str, str, Colour]
 def match_look(contest: Contest, sight: Sight) -> Hashable:
     """Return what plates and inning depend on."""
     thinking = contest.thinking, contest.share if sight.mode == "aim" else None
-    return contest.match, contest.race, thinking, contest.terms, sight.session.moving, sight.mode
+    drawn = contest.card, sight.settings.colours
+    own = contest.match, contest.race, contest.terms
+    return own, drawn, thinking, sight.session.moving, sight.mode
 
 
 def match_draw(contest: Contest, surface: pygame.Surface, sight: Sight) -> None:
@@ -51,22 +56,41 @@ def _plate(
     points, goal, target = rack_words.points(contest, index)
     playing = match.winner == index if match.finished else match.at == index
     said, tone = _line(sight, contest, index)
-    share = points / target if target and tone is None else None
-    names = [ball.name for ball in sight.session.world.balls]
-    ball = sight.portrait(names.index(match.cue_of(index))) if sight.portrait else None
+    row = plate_balls.of(contest, index)
+    share = points / target if target and tone is None and not row else None
+    ball = None if plate_balls.grouped(row) else _cue_ball(sight, contest, match.cue_of(index))
+    name, shown = player_name(contest.terms, index, sight.words), number(points, 0)
+    left, end = cards.score_room(rect, sight.type, shown, goal, ball is not None)
+    words = plate_balls.beside(contest, sight, row, (name, said), end - left)
+    if row and sight.type.width(name, 15) > words:
+        name = short_name(contest.terms, index, sight.words)
+    kept = end - left - words if row else 0
     cards.score(
         surface,
         rect,
         sight.type,
-        player_name(contest.terms, index, sight.words),
+        name,
         said,
-        number(points, 0),
+        shown,
         goal,
         playing,
         ball,
         share,
         tone,
+        kept,
     )
+    if row:
+        gap = round(plate_balls.GAP * sight.type.s)
+        room = pygame.Rect(end - kept + gap, rect.y, kept - gap, rect.h)
+        plate_balls.draw(surface, room, sight, row)
+
+
+def _cue_ball(sight: Sight, contest: Contest, name: str) -> pygame.Surface | None:
+    """A picture of a player's ball: in carom as on the table, where it tells the two apart."""
+    if not contest.terms.discipline.position:
+        return portrait(sight.look(name), round(CUE_BALL * sight.layout.s, 1))
+    names = [ball.name for ball in sight.session.world.balls]
+    return sight.portrait(names.index(name)) if sight.portrait else None
 
 
 def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | None]:
@@ -87,17 +111,17 @@ def _line(sight: Sight, contest: Contest, index: int) -> tuple[str, Colour | Non
     if match.at != index or match.finished:
         return " · ".join(parts), None
     if contest.level is not None and not sight.session.moving and sight.mode == "aim":
-        return _thought(contest, w), ACCENT
+        return _thought(contest, w, short=bool(plate_balls.of(contest, index))), ACCENT
     if contest.closing:
         last = contest.terms.finish == LAST_POINT_3C
         return w["score.last" if last else "score.extra"], ACCENT
     if match.run and racked is None:
         parts.insert(0, w["score.run"].format(n=match.run))
-    return " · ".join(parts), None
+    return " · ".join([*rack_words.zones(match, w), *parts]), None
 
 
-def _thought(contest: Contest, w: dict[str, str]) -> str:
-    if contest.share is None:
+def _thought(contest: Contest, w: dict[str, str], *, short: bool) -> str:
+    if contest.share is None or (short and contest.thinking):
         return w["score.thinking"]
     key = "score.thinks" if contest.thinking else "score.intends"
     return w[key].format(n=round(100 * contest.share))
