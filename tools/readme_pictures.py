@@ -1,13 +1,15 @@
-"""Draw the pictures of README.md without a window: docs/game.png, after.png and korean.png.
+"""Draw the pictures of README.md without a window: game.png, after.png, korean.png, pool.webp and
+snooker.webp of docs.
 
 python tools/readme_pictures.py [FOLDER]      needs Pillow: pip install pillow
 
-Both matches are played with the answers of the shelf, so that there is a score to be seen.
+The carom matches are played with the answers of the shelf, so that there is a score to be seen; the
+others by two computers, until there is something to be seen.
 """
 
 import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +20,7 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 import pygame
 
 from danggu.players.positions import SHELF, Answer
+from danggu.rules.match import Match
 from game import options
 from game.__main__ import new_game
 from game.aim.entry import BOXES, START
@@ -33,6 +36,12 @@ COLOURS, EVEN, RARE = 256, 24, 0.35
 COMMON = "--size 1280x720 --frames 9999"
 SAGU = f"{COMMON} --game four-ball --players Minsu,Haneul --handicap 20,15"
 THREE = f"{COMMON} --game three-cushion --players 조민수,이하늘 --handicap 20 --lang ko"
+POOL = f"{COMMON} --game 8-ball --players Mina,Haneul --level master,master --seed 5"
+SNOOKER = f"{COMMON} --game snooker --players Mina,Haneul --level master,master --seed 3"
+BREAK = 25
+"""Points of the break at which the picture of snooker is taken."""
+MOST = 40_000
+"""Frames in which there must be something to be seen."""
 MISS = ""
 SAGU_PLAYED = (
     "follow", "draw", "stun", MISS, "gather", "follow", MISS,
@@ -46,7 +55,7 @@ SCRUBBED = 5.6
 
 
 def main(folder: Path) -> None:
-    """Draw all three."""
+    """Draw all of them."""
     app = begun(SAGU, SAGU_PLAYED)
     length, width = presets.size(app.session.world)
     lay(app.session, {name: (x * length, y * width) for name, (x, y) in presets.BALLS.items()})
@@ -61,6 +70,24 @@ def main(folder: Path) -> None:
     place(app, "outside")
     aimed(app)
     save(app, folder / "korean.png")
+    app.close()
+    watched(POOL, lambda match: any(match.state.groups) and match.visit > 2, folder / "pool.webp")
+    watched(SNOOKER, lambda match: match.run >= BREAK, folder / "snooker.webp")
+
+
+def watched(command: str, seen: Callable[[Match], bool], path: Path) -> None:
+    """Let two computers play until there is what is wanted to be seen, and the balls have run."""
+    chosen = options.read(command.split())
+    app = App(new_game(chosen), chosen)
+    for _ in range(MOST):
+        app.frame(TICKS // 60)
+        contest = app.session.contest
+        if contest is not None and seen(contest.match) and not app.session.moving:
+            break
+    app.render()
+    whole = Image.frombytes("RGB", app.screen.get_size(), pygame.image.tobytes(app.screen, "RGB"))
+    whole.save(path, quality=92, method=6)
+    print(f"{path}: {path.stat().st_size // 1024} KB")
     app.close()
 
 

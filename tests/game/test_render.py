@@ -22,6 +22,7 @@ LAYOUT = Layout((1280, 720), 2.448, 1.270)
 TYPE = Type(1.0)
 ROWS = [cards.LogRow("0.21", ((theme.ACCENT, "W"),), "white", "흰 공")] * 20
 LANES = [lanes.Lane(theme.ACCENT, ((0.0, 1.0, 2.0),), (0.4,), ((0.5, 1),), (1.0,))] * 2
+MANY = [lanes.Lane(theme.ACCENT, (), (0.4,), ((0.5, 0),), (1.0,), (0.7,))] * 9
 WHITE = theme.WHITE
 
 
@@ -56,6 +57,12 @@ DRAWN = {
         s, LAYOUT.thickness, TYPE, "Thickness", [("1/8", "cut")], 0.2, theme.ACCENT
     ),
     "timeline": lambda s: lanes.timeline(s, LAYOUT.timeline, TYPE, LANES, 1.0, "0.5 s", time=0.5),
+    **{
+        f"timeline of {n}": lambda s, n=n: lanes.timeline(
+            s, LAYOUT.timeline, TYPE, MANY[:n], 1.0, "0.5 s", time=0.5
+        )
+        for n in (6, 9)
+    },
     "button": lambda s: fields.button(s, LAYOUT.shoot, TYPE, "Shoot", "Enter"),
     "hint": lambda s: fields.hint(s, LAYOUT.hint, TYPE, "not a number", error=True),
     **{

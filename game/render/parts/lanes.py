@@ -15,7 +15,8 @@ from game.render.theme import Colour, mix
 from . import shapes, signs
 from .cards import card
 
-LANE = 6
+LANE, MARKED = 6, 9
+"""From lane to lane, px at s = 1, where there is room; what marks need above and below all."""
 FULL = 2.5
 """Speed (m/s) from which a lane has its full colour."""
 PREVIEW = 0.62
@@ -124,7 +125,8 @@ def _lanes(
     """Draw every lane, then the joins above them."""
     strip = track(rect, s)
     thick = max(1, round(1.5 * s))
-    rows = [round(rect.centery + (i - (len(lanes) - 1) / 2) * LANE * s) for i in range(len(lanes))]
+    apart = min(LANE * s, (rect.h - MARKED * s) / max(len(lanes) - 1, 1))
+    rows = [round(rect.centery + (i - (len(lanes) - 1) / 2) * apart) for i in range(len(lanes))]
 
     def x(time: float) -> int:
         return strip.x + round(time / duration * strip.w)
