@@ -11,22 +11,16 @@ from typing import TYPE_CHECKING
 
 from physics import World
 
+from .unlisted import Unlisted
+
 if TYPE_CHECKING:
     from danggu.labs import Worksheet
 
 MARK = "lab:"
 
 
-class Scenes(dict[str, Callable[[], World]]):
+class Scenes(Unlisted[Callable[[], World]]):
     """What makes a scene, by its name."""
-
-    def __contains__(self, key: object) -> bool:
-        if dict.__contains__(self, key) or not isinstance(key, str):
-            return dict.__contains__(self, key)
-        try:
-            return bool(self[key])
-        except KeyError:
-            return False
 
     def __missing__(self, key: str) -> Callable[[], World]:
         return sheet(key).world

@@ -14,6 +14,8 @@ from typing import Any
 
 from physics import tables
 
+from .unlisted import Unlisted
+
 MARK = "+"
 PARTS = {"cloth": "cloth", "cushion": "cushion_law", "ball": "ball_law"}
 """What has coefficients: by the first word of their names, the field of a table."""
@@ -21,16 +23,8 @@ LONGEST = 1000
 """Characters of a key at most."""
 
 
-class Tables(dict[str, tables.Table]):
+class Tables(Unlisted[tables.Table]):
     """Tables by their keys; those of the player's own are known by theirs, and not listed."""
-
-    def __contains__(self, key: object) -> bool:
-        if dict.__contains__(self, key) or not isinstance(key, str):
-            return dict.__contains__(self, key)
-        try:
-            return bool(self[key])
-        except KeyError:
-            return False
 
     def __missing__(self, key: str) -> tables.Table:
         known = self.get(base(key))
