@@ -25,18 +25,23 @@ def fault(done: Stroke, legal: Legal | None = None, *, rail: bool = True) -> str
     legal: the balls that may be hit first; None for any or, without `rail`, for no hit at all.
     rail: whether a ball must meet a rail or drop after the first contact.
     """
-    if done.lost:
-        return SCRATCH
-    if done.off:
-        return OFF_TABLE
-    if done.acts:
-        return done.acts[0].what
+    if spoilt := spoiled(done):
+        return spoilt
     if (legal is not None or rail) and not done.first:
         return NO_BALL
     # a split hit is good: it cannot be seen which ball was first
     if legal is not None and not any(ball in legal for ball in done.first):
         return WRONG_BALL
     return NO_RAIL if rail and not railed(done) else ""
+
+
+def spoiled(done: Stroke) -> str:
+    """Which foul it was whatever has been hit: the cue ball down, a ball off, or an act; or ""."""
+    if done.lost:
+        return SCRATCH
+    if done.off:
+        return OFF_TABLE
+    return done.acts[0].what if done.acts else ""
 
 
 def railed(done: Stroke) -> bool:

@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 from typing import ClassVar, NamedTuple
 
 from .pocketed import CUE, Pocketed, without
-from .pool import SCRATCH, WRONG_BALL
+from .pool import WRONG_BALL, spoiled
 from .state import AS_IT_LIES, PLAY, GameState, Option, Question
 from .state import D as IN_D
 from .stroke import Act, Stroke
-from .verdict import NO_BALL, OFF_TABLE, Turn, Verdict, facts
+from .verdict import NO_BALL, Turn, Verdict, facts
 
 RED, COLOUR = "red", "colour"
 COLOURS = ("yellow", "green", "brown", "blue", "pink", "black")
@@ -205,12 +205,8 @@ class Snooker(Pocketed):
 
     def _reason(self, done: Stroke, turn: Turn, on: On) -> str:
         """Which foul it was: the first of several in the order in which a referee calls them."""
-        if done.lost:
-            return SCRATCH
-        if done.off:
-            return OFF_TABLE
-        if done.acts:
-            return done.acts[0].what
+        if spoilt := spoiled(done):
+            return spoilt
         if not done.first:
             return NO_BALL
         if self._contacts(done, turn, on):
