@@ -1,6 +1,7 @@
 """Environments: steps a second, and what plain players score: at random, and the best of some."""
 
 import os
+from collections.abc import Callable
 from time import process_time
 from typing import Any
 
@@ -64,10 +65,15 @@ def coached(name: str, noise: str | None, effort: int) -> tuple[float, float, in
     """The same of the coach, which knows how large the noise is."""
     env = gymnasium.make(name, noise=noise, limit=50, aim="absolute").unwrapped
     level = {each.key: each for each in LEVELS}[noise or "perfect"]
-    made, rewards, total, strokes = 0, [], 0.0, ADVISED[effort]
+    return _played(env, ADVISED[effort], lambda k: _advised(env, level, k, COACHED[effort]))
+
+
+def _played(env: Any, strokes: int, choose: Callable[[int], Any]) -> tuple[float, float, int]:
+    """What a player scores who chooses the action of each stroke by its number, as `scored`."""
+    made, rewards, total = 0, [], 0.0
     env.reset(seed=1)
     for k in range(strokes):
-        _, reward, over, late, info = env.step(_advised(env, level, k, COACHED[effort]))
+        _, reward, over, late, info = env.step(choose(k))
         made, total = made + (reward > 0 or info["reason"] == "potted"), total + reward
         if over or late:
             rewards.append(total)
@@ -95,19 +101,15 @@ def _advised(env: Any, level: Level, seed: int, budget: int) -> Any:
 def scored(name: str, tried: int, noise: str | None, strokes: int) -> tuple[float, float, int]:
     """(share of the strokes that score, reward of an episode, episodes) of a player."""
     env = gymnasium.make(name, noise=noise, limit=50).unwrapped
-    rng, made, rewards, total = np.random.default_rng(0), 0, [], 0.0
-    env.reset(seed=1)
-    for _ in range(strokes):
+    rng = np.random.default_rng(0)
+
+    def choose(k: int) -> Any:
         actions = rng.uniform(-1.0, 1.0, (tried, 5))
         found = env.hall.tried(0, actions) if tried > 1 else None
         value = 0 if found is None else int(np.argmax(found.points + found.made - found.foul))
-        _, reward, over, late, info = env.step(actions[value])
-        made, total = made + (reward > 0 or info["reason"] == "potted"), total + reward
-        if over or late:
-            rewards.append(total)
-            total = 0.0
-            env.reset()
-    return made / strokes, float(np.mean(rewards)) if rewards else total, len(rewards)
+        return actions[value]
+
+    return _played(env, strokes, choose)
 
 
 def main(arguments: list[str] | None = None) -> int:
