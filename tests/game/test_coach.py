@@ -294,7 +294,9 @@ def test_while_balls_move_it_waits():
 def test_the_search_of_the_game_finds_shots_that_score():
     world = presets.table_world("match")
     rules, turn = GAMES["three-cushion"](), Turn("white")
-    for found in search.ways(world, rules, turn, EXPERT, budget=600, compiled=False):
+    ways = search.ways(world, rules, turn, EXPERT, budget=600, compiled=False)
+    assert ways
+    for found in ways:
         after = simulate(world, "white", found.shot)
         assert rules.verdict(after.log.contacts(), turn).made
 

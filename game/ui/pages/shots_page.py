@@ -21,7 +21,7 @@ from game.text.text_field import TextField
 from game.ui.sight import Sight
 from game.window import clipboard
 
-from . import shots_view
+from . import shelf_view, shots_view
 from .shots_view import BUTTONS, ShotsLook, ShotsSpot
 
 ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
@@ -160,7 +160,7 @@ class ShotsPage:
                 return self._do("open") if again else None
             case "box":
                 if self.typing:
-                    window, line = shots_view.text_window(sight), sight.line(self._field)
+                    window, line = shelf_view.text_window(sight), sight.line(self._field)
                     size = shots_view.SIZE
                     self._field.go(text_line.place_at(window, sight.type, line, size, at[0]))
                 self.typing = True

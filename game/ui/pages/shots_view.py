@@ -17,10 +17,10 @@ from game.table.shared import SharedShot
 from game.ui.sight import Sight
 
 from . import page_parts
-from .shelf_view import thumbnail
+from .shelf_view import BOX, GAP, box_rect, text_window, thumbnail
 
 BUTTONS = ("save", "aim", "open", "copy", "paste", "delete")
-ROW, BOX, GAP = 30, 38, 10
+ROW = 30
 SIZE = 13
 LIST = 0.52
 """The part of the width that the list takes."""
@@ -78,17 +78,6 @@ def row_rect(layout: Layout, slot: int) -> pygame.Rect:
     """Return a row of the list, 0 is the first on show."""
     area, high = list_rect(layout), layout.px(ROW)
     return pygame.Rect(area.x, area.y + slot * high, area.w, high - layout.px(3))
-
-
-def box_rect(layout: Layout) -> pygame.Rect:
-    """Return the box for a name."""
-    area, high = page_parts.inside(layout), layout.px(BOX)
-    return pygame.Rect(area.x, area.bottom - 2 * high - layout.px(GAP), area.w, high)
-
-
-def text_window(sight: Sight) -> pygame.Rect:
-    """Return the room for the text in the box."""
-    return box_rect(sight.layout).inflate(-2 * round(12 * sight.layout.s), 0)
 
 
 def button_rects(layout: Layout) -> list[pygame.Rect]:
